@@ -154,6 +154,45 @@ PROGRAMS: dict[str, tuple[Callable[[int], str], int]] = {
     ),
     "formats": (lambda n: "int main(void) {" + "".join(f'print("%d %s", {i}, "x");\n' for i in range(n)) + "}\n", 3000),
     "labels": (lambda n: "int main(void) {" + "".join(f"l{i}: high(1); goto l{i};\n" for i in range(n)) + "}\n", 3000),
+    "terms": (lambda n: "int main(void) { int x = 3" + "+0" * n + "; high(x); }\n", 24_000),
+    "commas within brackets": (lambda n: "int main(void) { int x; x = (3" + ",0" * n + "); high(x); }\n", 45_000),
+    "loops within loops": (lambda n: "int main(void) {" + "for (;;)" * n + "high(3); }\n", 11_000),
+    "labels before one statement": (lambda n: "int main(void) {" + "".join(f"l{i}:" for i in range(n)) + " high(3); }\n", 6000),
+    "structures within structures": (
+        lambda n: (
+            "struct s0 { int a; };\n"
+            + "".join(f"struct s{i} {{ struct s{i - 1} a, b; }};\n" for i in range(1, n))
+            + f"struct s{n - 1} x;\n"
+            + _MAIN
+        ),
+        60,
+    ),
+    "spaces behind defined": (lambda n: "#if 1 || defined" + " " * n + "\n#endif\n" + _MAIN, 95_000),
+    "operators in a condition": (lambda n: "#if " + "!" * n + "1\n#endif\n" + _MAIN, 95_000),
+    "brackets in a condition": (lambda n: "#if " + "(" * n + "1" + ")" * n + "\n#endif\n" + _MAIN, 45_000),
+    "functions that hand a port on": (
+        lambda n: (
+            "void f0(int p) { high(p); }\n"
+            + "".join(f"void f{i}(int p) {{ f{i - 1}(p); }}\n" for i in range(1, n))
+            + f"int main(void) {{ while (1) f{n - 1}(3); }}\n"
+        ),
+        2700,
+    ),
+    "enumerators of enumerators": (
+        lambda n: "enum e { E0," + "".join(f"E{i} = E{i - 1} + 1," for i in range(1, n)) + "};\nint main(void) { high(E3); }\n",
+        4500,
+    ),
+    "ports in an array": (
+        lambda n: "int a[] = {" + "3, " * n + f"}};\nint main(void) {{ for (int i = 0; i < {n}; i++) high(a[i]); }}\n",
+        8000,
+    ),
+    "lists within lists": (lambda n: "struct s { int a; } x = " + "{" * n + "1" + "}" * n + ";\n" + _MAIN, 45_000),
+    "variables of variables": (
+        lambda n: (
+            "int main(void) { int c0 = 3;" + "".join(f"int c{i} = c{i - 1};" for i in range(1, n)) + f"high(c{n - 1}); }}\n"
+        ),
+        2000,
+    ),
     "products": (
         lambda n: "int f(int x) {" + "".join(f"x = x * {i} + (x << 3);\n" for i in range(n)) + " return x; }\n" + _MAIN,
         3000,

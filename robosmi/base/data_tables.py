@@ -135,7 +135,7 @@ class DataTable(Struct, frozen=True):
         try:
             return re.compile(self.text(key), re.MULTILINE)
         except re.error as error:
-            raise self.error(key, f"is no regular expression: {error}") from error
+            raise self.error(key, f"is not a regular expression: {error}") from error
 
     def texts_by_name(self, key: str) -> dict[str, str]:
         """A table inside whose values are all texts; empty if the key is missing."""

@@ -123,7 +123,7 @@ def as_table(value: Json) -> dict[str, Json]:
         ValueError: it is another one.
     """
     if not isinstance(value, dict):
-        raise ValueError(f"it is no table: {value!r}")
+        raise ValueError(f"it is not a table: {value!r}")
     return value
 
 
@@ -134,7 +134,7 @@ def as_list(value: Json) -> list[Json]:
         ValueError: it is another one.
     """
     if not isinstance(value, (list, tuple)):
-        raise ValueError(f"it is no list: {value!r}")
+        raise ValueError(f"it is not a list: {value!r}")
     return list(value)
 
 
@@ -145,7 +145,7 @@ def as_text(value: Json) -> str:
         ValueError: it is another one.
     """
     if not isinstance(value, str):
-        raise ValueError(f"it is no text: {value!r}")
+        raise ValueError(f"it is not a text: {value!r}")
     return value
 
 
@@ -156,7 +156,7 @@ def as_number(value: Json) -> float:
         ValueError: it is another one.
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise ValueError(f"it is no number: {value!r}")
+        raise ValueError(f"it is not a number: {value!r}")
     return value
 
 
@@ -167,7 +167,7 @@ def as_whole(value: Json) -> int:
         ValueError: it is another one.
     """
     if isinstance(value, bool) or not isinstance(value, int):
-        raise ValueError(f"it is no whole number: {value!r}")
+        raise ValueError(f"it is not a whole number: {value!r}")
     return value
 
 

@@ -47,13 +47,13 @@ def _files(folder: Path, kind: str) -> dict[str, str]:
             for name in folders:
                 if os.path.islink(linked := os.path.join(place, name)):
                     raise SourceError(
-                        "a link to a folder cannot be trusted", location=Location(linked), fix="put a copy in its place"
+                        "a link to a folder cannot be trusted", location=Location(linked), fix="replace it with a copy"
                     )
             for path in (Path(place, name) for name in names if name.endswith(ending)):
                 found[path.relative_to(folder).as_posix()] = _digest(read_bytes(path, DATA))
     except OSError as error:
         place = str(error.filename or folder)
-        message = f"what would run cannot be read: {error.strerror or error}"
+        message = f"the folder's code cannot be read: {error.strerror or error}"
         raise SourceError(message, location=Location(place), fix="check its permissions") from error
     return found
 
@@ -78,12 +78,8 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
     own = folder if folder.name == OWN else folder / OWN
     files = files_that_run(own)
     if not files:
-        fix = (
-            "nothing is to be done: what it holds is read without being trusted"
-            if own.is_dir()
-            else "name a folder with a .robosmi"
-        )
-        raise SourceError("nothing in this folder would run", location=Location(str(folder)), fix=fix)
+        fix = "nothing; this folder needs no trust" if own.is_dir() else "give a folder with a .robosmi"
+        raise SourceError("this folder has no code to run", location=Location(str(folder)), fix=fix)
     place = _place(own)
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -91,7 +87,7 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
         beside.write_text(json_written(files, sort_keys=True), encoding="utf-8")
         os.replace(beside, place)
     except OSError as error:
-        message = f"the trust cannot be noted: {error.strerror or error}"
+        message = f"the trust cannot be saved: {error.strerror or error}"
         raise SourceError(message, location=Location(str(place)), fix="set ROBOSMI_HOME to a folder of your own") from error
     return own, sorted(files)
 
@@ -167,9 +163,9 @@ def _found(path: str | os.PathLike[str]) -> tuple[Path, str] | None:
 
 
 def _refused(folder: Path, files: list[str], known: bool) -> SourceError:
-    why = "were changed since they were trusted" if known else "were found here and are not trusted"
+    why = "have changed since you trusted them" if known else "are not trusted"
     return SourceError(
-        f"files in this folder that would run {why}; nothing of them was run", location=Location(str(folder)),
+        f"files with code in this folder {why}; RoboSMi did not run them", location=Location(str(folder)),
         fix=f"read them ({', '.join(files[:3])}{', ...' if len(files) > 3 else ''}), then: "
         f"robosmi trust {folder.parent}; or move the folder away",
     )  # fmt: skip

@@ -73,7 +73,7 @@ def update(
     """
     for name in contents:
         if not within(name):
-            raise InternalError(f"'{name}' would be written outside of the output folder '{folder}'")
+            raise InternalError(f"'{name}' would be written outside the output folder '{folder}'")
     with at_work(folder):
         if folder.is_dir():
             with writing(folder), DirectoryFd(folder) as held:
@@ -108,7 +108,7 @@ def commit(
         raise SourceError("the output path is a file", location=Location(str(folder)), fix="give another output folder")
     for name in (*contents, *removed):
         if not within(name) or name.partition("/")[0].casefold().startswith(STAGE):
-            raise InternalError(f"'{name}' would be written outside of the output folder '{folder}', or where files wait")
+            raise InternalError(f"'{name}' would be written outside the output folder '{folder}', or where files wait")
     with writing(folder), ExitStack() as others:
         folder.parent.mkdir(parents=True, exist_ok=True)
         others.enter_context(at_work(folder))
@@ -129,7 +129,7 @@ def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: ExternalFile
         try:
             above.make_folder(beside.name)
         except FileExistsError as error:
-            message = "another run is making this folder"
+            message = "another run is creating this folder"
             raise StoppedError(message, location=Location(str(folder)), fix="wait for it, then run again") from error
         try:  # an interruption before is as a kill: the folder is empty, and goes with the next run
             with above.inner(beside.name) as stage, stage.locked():
@@ -165,7 +165,7 @@ def _no_file_is_a_folder(folder: Path, names: Collection[str]) -> None:
     parents = {parent.as_posix() for name in names for parent in Path(name).parents}
     for name in names:
         if name in parents:
-            raise in_the_way(f"{folder}/{name}", "a file and a folder of one name are made")
+            raise in_the_way(f"{folder}/{name}", "a file and a folder would have the same name")
 
 
 def _untouched(held: DirectoryFd, names: Collection[str], seen: FileContents) -> None:
@@ -182,7 +182,7 @@ def _untouched(held: DirectoryFd, names: Collection[str], seen: FileContents) ->
         if found is not None and plain and not found.st_mode & 0o222:
             message, fix, kind = "the file is read-only and would be changed", "make it writable, or move it away", StoppedError
         elif name in seen and (held.read(name) if plain else None) != seen[name]:
-            message, fix, kind = "the file was changed while the run was at work", "run again", ChangedMeanwhileError
+            message, fix, kind = "the file was changed during the run", "run again", ChangedMeanwhileError
         else:
             continue
         raise kind(f"{message}; nothing was written", location=Location(f"{held.path}/{name}"), fix=fix)

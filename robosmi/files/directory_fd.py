@@ -112,13 +112,13 @@ class DirectoryFd:
             if found is None:
                 break
             if not stat.S_ISDIR(found.st_mode) and not os.path.isdir(f"{self.path}/{parent}"):
-                raise in_the_way(f"{self.path}/{parent}", "a file stands where a folder is to be made")
+                raise in_the_way(f"{self.path}/{parent}", "a file is in the place of a folder")
             if not os.access(f"{self.path}/{parent}", os.W_OK):
                 raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), f"{self.path}/{parent}")
         found = self.look(name)
         if found is not None and not stat.S_ISREG(found.st_mode):
-            what = _ODD.get(stat.S_IFMT(found.st_mode), "something that is no file")
-            raise in_the_way(f"{self.path}/{name}", f"{what} stands where a file is to be written")
+            what = _ODD.get(stat.S_IFMT(found.st_mode), "something that is not a file")
+            raise in_the_way(f"{self.path}/{name}", f"{what} is in the place of a file")
         self.may_go(name)
 
     def may_go(self, name: str) -> None:
@@ -136,9 +136,7 @@ class DirectoryFd:
             around = self.identity() if above in (None, self._own) else os.fstat(above)
             user = os.geteuid()
             if around.st_mode & stat.S_ISVTX and user not in (0, found.st_uid, around.st_uid):
-                raise PermissionError(
-                    errno.EPERM, "the file belongs to another account, and the folder lets only that one replace it"
-                )
+                raise PermissionError(errno.EPERM, "the file belongs to another account, and only that account can replace it")
             if user in (0, found.st_uid) and found.st_mode & 0o200 and not os.access(own, os.W_OK, dir_fd=above):
                 raise PermissionError(errno.EPERM, "the file is protected by the file system")
 

@@ -57,7 +57,7 @@ def write_atomic(path: Path, data: bytes) -> None:
     fix = "give another output path"
     try:
         if path.exists() and not path.is_file():
-            raise SourceError("the output path is no ordinary file", location=Location(str(path)), fix=fix)
+            raise SourceError("the output path is not an ordinary file", location=Location(str(path)), fix=fix)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:

@@ -98,8 +98,8 @@ def look_only(folder: Path) -> None:
     """
     if os.path.lexists(folder / STAGE):
         raise StoppedError(
-            "a run is at work in this folder, or was interrupted there", location=Location(str(folder)),
-            fix="wait for it; if there is none, run again without a dry run, which finishes it first",
+            "a run is active in this folder, or was interrupted", location=Location(str(folder)),
+            fix="wait for it; if none is active, run again without --dry-run, which finishes it first",
         )  # fmt: skip
 
 
@@ -179,7 +179,7 @@ def _throw_away(above: DirectoryFd, name: str, folder: Path) -> None:
             raise StoppedError(
                 "a folder has the name of that where files wait to be written, and no run of yours has made it; "
                 "nothing was written",
-                location=Location(str(path)), fix="look at what is in it, move it away or remove it, then run again",
+                location=Location(str(path)), fix="check its content, move it away or remove it, then run again",
             )  # fmt: skip
         else:
             above.remove_folder(name)

@@ -83,7 +83,7 @@ def _locked(path: Path, patience: float, folder: Path) -> Callable[[], None]:
         except (OSError, ValueError):
             name = "another run"
         raise StoppedError(
-            f"{name} is at work in this folder; nothing was written", location=Location(str(folder)),
+            f"{name} is active in this folder; nothing was written", location=Location(str(folder)),
             fix="wait for it, then run again",
         ) from None  # fmt: skip
     except OSError as error:
@@ -253,12 +253,12 @@ def _state() -> Path:
     except OSError as error:
         raise _no_place(folder, error) from error
     if not stat.S_ISDIR(found.st_mode) or (hasattr(os, "getuid") and (found.st_uid != owner or found.st_mode & 0o077)):
-        raise _no_place(folder, PermissionError("it belongs to somebody else, or others may write there"))
+        raise _no_place(folder, PermissionError("it belongs to another user, or others may write there"))
     return folder
 
 
 def _no_place(path: Path, error: OSError) -> SourceError:
     return SourceError(
-        f"the lock of a run cannot be kept here: {error.strerror or error}", location=Location(str(path)),
-        fix="set ROBOSMI_HOME to a folder of your own that can be written",
+        f"the lock of a run cannot be written here: {error.strerror or error}", location=Location(str(path)),
+        fix="set ROBOSMI_HOME to a writable folder of your own",
     )  # fmt: skip

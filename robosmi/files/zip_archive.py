@@ -42,12 +42,12 @@ def entries(data: bytes, place: str, most: int) -> list[zipfile.ZipInfo]:
     """
     listed = data.count(_CENTRAL)  # before the list is read, which takes memory for each entry
     if listed > most:
-        raise _error(place, f"the archive has {listed} entries, more than {most}", "check that it is what its ending says")
+        raise _error(place, f"the archive has {listed} entries, more than {most}", "check that it has the right file type")
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             return archive.infolist()
     except (zipfile.BadZipFile, zlib.error, EOFError, ValueError, NotImplementedError, OSError) as error:
-        raise _error(place, f"the archive is damaged: {error}", "make it again with the tool that wrote it") from error
+        raise _error(place, f"the archive is damaged: {error}", "create it again with its tool") from error
 
 
 def unpacked(data: bytes, entry: zipfile.ZipInfo, place: str, most: int) -> bytes:
@@ -75,9 +75,9 @@ def unpacked(data: bytes, entry: zipfile.ZipInfo, place: str, most: int) -> byte
     except (zlib.error, lzma.LZMAError, OSError, EOFError, ValueError) as error:
         raise zipfile.BadZipFile(f"{named} cannot be unpacked: {error}") from error
     if len(result) > most:
-        raise _error(place, f"{named} has more than {most // 1024 // 1024} MB", "check that it is what its ending says")
+        raise _error(place, f"{named} has more than {most // 1024 // 1024} MB", "check that it has the right file type")
     if len(result) > most_by_ratio:
-        cause = f"{named} is packed more than {MOST_RATIO} times, as no honest text is"
+        cause = f"{named} is compressed more than {MOST_RATIO} times"
         raise _error(place, cause, "check where the archive comes from")
     if zlib.crc32(result) != entry.CRC:
         raise zipfile.BadZipFile(f"{named} has a wrong checksum")
@@ -92,7 +92,7 @@ def _packed(data: bytes, entry: zipfile.ZipInfo) -> bytes:
     """
     start = entry.header_offset
     if start < 0 or len(data) - start < _LOCAL_HEAD.size:
-        raise zipfile.BadZipFile(f"'{entry.filename}' lies outside of the archive")
+        raise zipfile.BadZipFile(f"'{entry.filename}' is outside the archive")
     magic, name, extra = _LOCAL_HEAD.unpack_from(data, start)
     if magic != _LOCAL:
         raise zipfile.BadZipFile(f"'{entry.filename}' has no head of its own")

@@ -293,7 +293,9 @@ class Gen(Settings):
                 part = "target"
                 target = value_of(rule.target, element)
                 if not (target is None or isinstance(target, str)):
-                    said = f"the target of {rule.name} is {target!r}{f' for {element[0]!r}' if element else ''}, which is no text"
+                    said = (
+                        f"the target of {rule.name} is {target!r}{f' for {element[0]!r}' if element else ''}, which is not a text"
+                    )
                     fix = "give the path of a file, relative to the output folder, or None for no file"
                     raise RuleError(said, location=place_of(function), fix=fix)
                 part = "template"

@@ -120,10 +120,10 @@ def _merge(
         if text == base:
             kept.files[name] = there or b""
             kept.merged |= {name, copy}
-            message = "the file is no text in UTF-8; it is left as it is"
+            message = "the file is not UTF-8 text; it stays unchanged"
             kept.findings.append(Finding("RS522", Severity.warning, message, Location(path), fix="save it as UTF-8"))
             return
-        message = "the file is no text in UTF-8, so your edits cannot be merged with what is made anew"
+        message = "the file is not UTF-8 text, so your edits cannot be merged with the new text"
         refused.append(Finding("RS905", Severity.error, message, Location(path), fix="save it as UTF-8, then run again"))
         return
     existing = form.text if there is not None else None
@@ -148,7 +148,5 @@ def _no_longer_made(places: Places, record: Record, name: str, kept: MergedTexts
         kept.obsolete |= {record.path(name)} | ({name} if there is not None else set())
         return
     kept.orphans |= {name, record.path(name)}
-    message = "it is no longer made, and was changed since it was; it is kept"
-    kept.findings.append(
-        Finding("RS514", Severity.warning, message, Location(str(path)), fix="remove it when you do not need it")
-    )
+    message = "the file is no longer generated, but was edited; it stays"
+    kept.findings.append(Finding("RS514", Severity.warning, message, Location(str(path)), fix="remove it if you do not need it"))

@@ -50,9 +50,11 @@ def _check_folder(folder: Path) -> None:
         if not os.path.lexists(path):
             continue
         if not path.is_dir():
-            what = "a link that leads nowhere stands" if path.is_symlink() and not path.exists() else "a file stands"
+            what = "a broken link is" if path.is_symlink() and not path.exists() else "a file is"
             raise SourceError(
-                f"{what} where the output folder is to be", location=Location(str(path)), fix="give another output folder with -o"
+                f"{what} in the place of the output folder",
+                location=Location(str(path)),
+                fix="give another output folder with -o",
             )
         return
 
@@ -92,11 +94,11 @@ class Manifest(Struct):
         except (FileNotFoundError, NotADirectoryError):
             return cls()
         except IsADirectoryError as error:
-            message, fix = "a folder stands where a file is to be written", "move it away, or give another output folder"
+            message, fix = "a folder is in the place of a file", "move it away, or give another output folder"
             raise SourceError(message, location=Location(str(path)), fix=fix) from error
         except OSError as error:
             why = "it is a link" if path.is_symlink() else error.strerror
-            fix = "put a copy of the file in the link's place" if path.is_symlink() else fix_of(error, fix)
+            fix = "replace the link with a copy of the file" if path.is_symlink() else fix_of(error, fix)
             raise SourceError(
                 f"the record of the last run cannot be read: {why}", location=Location(str(path)), fix=fix
             ) from error
@@ -192,7 +194,7 @@ def _entries(data: object) -> tuple[dict[str, str], list[str], str]:
     if not isinstance(choices, list) or not all(isinstance(choice, str) for choice in choices):
         raise ValueError("'choices' must be a list of texts")
     if outside := [name for name in files if not within(name)]:
-        raise ValueError(f"'{outside[0]}' lies outside of the folder")
+        raise ValueError(f"'{outside[0]}' is outside the folder")
     beside = data.get("beside_choices", "") if isinstance(data, dict) else ""
     if not isinstance(beside, str):
         raise ValueError("'beside_choices' must be a text")
@@ -206,11 +208,11 @@ def hidden(name: str) -> bool:
 
 def retained_file(path: Path) -> Finding:
     """Says that a file which is no longer made stays, since nothing of this user's own says that a run made it."""
-    message = "it is no longer made, but the record that says so is not of your own runs in this place; the file is kept"
-    return Finding("RS525", Severity.warning, message, Location(str(path)), fix="remove it when you do not need it")
+    message = "the file is no longer generated, but its record is not from your own runs in this place; it stays"
+    return Finding("RS525", Severity.warning, message, Location(str(path)), fix="remove it if you do not need it")
 
 
 def reformed_file(path: Path) -> Finding:
     """Says that a file whose form was changed is made anew as it was."""
-    message = "its line ends or byte order mark were changed; it is made anew with its own"
+    message = "its line ends or byte order mark were changed; it is generated again with its own"
     return Finding("RS523", Severity.info, message, Location(str(path)))

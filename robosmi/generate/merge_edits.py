@@ -58,7 +58,7 @@ def merge_edits(
         before_conflicts: what the file held before each conflict that was marked in it, as far as that is still there.
     """
     if existing is None:
-        gone = Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(path))
+        gone = Finding("RS517", Severity.info, "the file was deleted; it is generated again", Location(path))
         return MergedText(generated, [gone] if base is not None else [])
     if existing == generated:
         return MergedText(existing)
@@ -103,17 +103,17 @@ class _Merge:
         """The new text with the edits of the existing file, or the reason why the run must stop."""
         new, old = self.theirs.by_id(), self.ours.by_id()
         for broken in self.ours.broken:
-            message = f"the marker of the region '{broken.identity}' is broken: {broken.what}; its text is kept as other text is"
-            self.say("RS513", Severity.warning, message, broken.line, "put the markers right")
+            message = f"the marker of the region '{broken.identity}' is broken: {broken.what}; its text is merged like other text"
+            self.say("RS513", Severity.warning, message, broken.line, "correct the markers")
         for twice in self.ours.twice():
-            message = f"the region '{twice.identity}' stands in the file twice (first in line {old[twice.identity].line})"
-            return self.stop(message, twice.line, "take one of them out, or give it an id of its own")
+            message = f"the region '{twice.identity}' occurs twice in the file (first in line {old[twice.identity].line})"
+            return self.stop(message, twice.line, "remove one of them, or give it a unique id")
         line, said = _open_conflict(self.existing, self.base or "", self.generated), "a conflict of an earlier run is still open"
-        fix = "decide and take its markers out"
+        fix = "decide which lines stay and remove its markers"
         if line is None and before_conflicts:
             line = _divider_left(self.existing, [self.base or "", self.generated, *before_conflicts])
-            said = "the middle marker of a conflict is left, with its others gone"
-            fix = "take it out; where it is a line of your own, make it longer or remove the old file, which ends in .orig"
+            said = "only the middle marker of a conflict is left"
+            fix = "remove it; if the line is yours, make it longer or remove the old file (.orig)"
         if line is not None:
             if self.base is not None and self.generated == self.base:
                 self.say("RS516", Severity.error, said, line, fix)
@@ -143,19 +143,19 @@ class _Merge:
             base_lines = [
                 ours_lines[c.ours[0] + k] for c in _common(ours_lines, theirs_lines) for k in range(c.ours[1] - c.ours[0])
             ]
-            message = "no record of the text that was made last: lines that only the file has are kept, lines taken out are back"
+            message = "no record of the last generated text: lines that only the file has stay, removed lines are back"
             self.say("RS520", Severity.info, message)
         for identity in before:
             if identity in new and identity not in old and self.before is not None:
-                self.say("RS519", Severity.info, f"the region '{identity}' was taken out of the file and is not made again")
+                self.say("RS519", Severity.info, f"the region '{identity}' was removed from the file and is not generated again")
         if base_lines == ours_lines and not orphans:
             lines = [_Line(line) for line in theirs_lines]  # most files have no edit, and comparing takes long
         else:
             lines = self._assembled(base_lines, ours_lines, theirs_lines)
         text = self._with_orphans(lines, [orphan for orphan in orphans if orphan[1].identity in gone])
         if twice := partition(text, self.styles).twice():
-            message = f"the file cannot be merged: the region '{twice[0].identity}' would stand in it twice"
-            return self.stop(message, old[twice[0].identity].line if twice[0].identity in old else None, "put it where it was")
+            message = f"the file cannot be merged: the region '{twice[0].identity}' would occur twice"
+            return self.stop(message, old[twice[0].identity].line if twice[0].identity in old else None, "move it back")
         return MergedText(text, self.findings, self.save_old)
 
     def _their(self, piece: str | Region, old: dict[str, Region], before: dict[str, Region]) -> str | Region:
@@ -167,11 +167,13 @@ class _Merge:
             return piece.as_in(there)
         lost = there.contents not in (was.contents if was is not None else piece.contents, piece.contents)
         if there.kind == PROTECTED and (was is None or was.enabled):
-            message = f"the region '{piece.identity}' was turned off in the file: it has its default text again"
-            self.say("RS518", Severity.info, message + ("; the old file is kept" if lost else ""), there.line)
+            message = f"the region '{piece.identity}' was turned off in the file and has its default text again"
+            self.say("RS518", Severity.info, message + ("; the old file is saved" if lost else ""), there.line)
             self.save_old |= lost
         elif there.kind == CONTROLLED and there.enabled and lost:
-            message = f"the controlled region '{piece.identity}' was changed in the file: it is made anew; the old file is kept"
+            message = (
+                f"the controlled region '{piece.identity}' was changed in the file and is generated again; the old file is saved"
+            )
             self.say("RS518", Severity.info, message, there.line, "turn it off in the file to keep what you write there")
             self.save_old = True
         return piece
@@ -190,7 +192,7 @@ class _Merge:
         lines: list[_Line] = []
         found = chunks(base, ours, theirs)
         edits = [chunk for chunk in found if chunk.kind == "ours"]
-        told = f"{len(edits)} edits outside of regions are kept" if len(edits) > 1 else "an edit outside of regions is kept"
+        told = f"{len(edits)} edits outside the regions are kept" if len(edits) > 1 else "an edit outside the regions is kept"
         for chunk in found:
             mine = stretch(ours, chunk.ours)
             if chunk.kind == "theirs":
@@ -203,16 +205,16 @@ class _Merge:
                 merged := by_words(_whole(stretch(base, chunk.base)), _whole(mine), _whole(stretch(theirs, chunk.theirs)))
             ) is not None:
                 lines += [_Line(line, chunk.ours[0] + k + 1) for k, line in enumerate(merged)]
-                both = "your edit and the newly made text change different words of the same lines: both are kept"
-                lines[-1].notes.append(("RS512", Severity.info, both, "see whether they go together"))
+                both = "your edit and the new text change different words of the same lines; both are kept"
+                lines[-1].notes.append(("RS512", Severity.info, both, "check that they fit together"))
             else:
                 begin = _Line(YOURS)
                 begin.notes.append(
                     (
                         "RS511",
                         Severity.error,
-                        "your edit and the newly made text change the same lines: a conflict is marked",
-                        "decide which lines stay and take the markers out; the old file is beside this one",
+                        "your edit and the new text change the same lines: a conflict is marked",
+                        "decide which lines stay and remove the markers; the old file is next to this one",
                     )
                 )
                 block = [*_whole(mine), BASE, *_whole(stretch(base, chunk.base)), MIDDLE, *_whole(stretch(theirs, chunk.theirs))]
@@ -227,8 +229,8 @@ class _Merge:
             if place and not lines[place - 1].text.endswith("\n"):
                 lines[place - 1].text += "\n"
             lines.insert(place, _Line(text))
-            message = f"nothing is made for the region '{region.identity}' any more; it is kept"
-            fix = "move its text where it belongs (a renamed element has a new region) and take it out"
+            message = f"the region '{region.identity}' is no longer generated; it stays"
+            fix = "move its text where it belongs and remove it; a renamed element has a new region"
             lines[place].notes.append(("RS510", Severity.warning, message, fix))
         number = 1
         for line in lines:

@@ -49,13 +49,13 @@ class Places:
         except FileNotFoundError:
             return None
         except IsADirectoryError as error:
-            raise self._in_the_way(path, "a folder stands where a file is to be written") from error
+            raise self._in_the_way(path, "a folder is in the place of a file") from error
         except OSError as error:
             if os.path.islink(path):
                 raise SourceError(
-                    "the file that is there is a link, which would be lost if the file were made anew; nothing was written",
+                    "the file is a link, which generating would replace; nothing was written",
                     location=Location(path),
-                    fix="put a copy of the file in the link's place, or move the link away",
+                    fix="replace the link with a copy of the file, or move the link away",
                 ) from error
             raise self._unreadable(path, error) from error
 
@@ -85,7 +85,7 @@ class Places:
 
     def _unreadable(self, path: str, error: OSError) -> SourceError:
         return SourceError(
-            f"the file that is there cannot be read: {error.strerror}", location=Location(path),
+            f"the existing file cannot be read: {error.strerror}", location=Location(path),
             fix=inputs.fix_of(error, "check its permissions"),
         )  # fmt: skip
 
@@ -93,14 +93,14 @@ class Places:
         """Make sure that a path may be a file's, whatever there is in the folder.
 
         Raises:
-            SourceError: it is no name of a file, or lies outside of the folder.
+            SourceError: it is not a file name, or lies outside of the folder.
         """
         if not name or name.endswith("/"):
-            raise self._refused(name, "is no name of a file")
+            raise self._refused(name, "is not a file name")
         if not within(name):
-            raise self._refused(name, f"lies outside of the {self._what}")
+            raise self._refused(name, f"is outside the {self._what}")
         if name.partition("/")[0] == STAGE:
-            raise self._refused(name, "is where files wait to be written")
+            raise self._refused(name, "is reserved for files that wait to be written")
 
     def _check(self, name: str, parent: str) -> None:
         self.check_name(name)
@@ -108,13 +108,13 @@ class Places:
         for inner in PurePosixPath(name).parents:
             above = f"{self.folder}/{inner}"
             if inner.parts and os.path.lexists(above) and not os.path.isdir(above):
-                raise self._in_the_way(above, "a file stands where a folder is to be made")
+                raise self._in_the_way(above, "a file is in the place of a folder")
 
     def _check_link(self, name: str, path: str) -> None:
         if os.path.commonpath([os.path.realpath(path), self._root]) != self._root:
             raise SourceError(
-                f"'{name}' lies outside of the {self._what}, by a link; nothing was written",
-                location=Location(f"{self.folder}/{name}"), fix="put a copy of what it leads to in the link's place",
+                f"'{name}' is outside the {self._what}, behind a link; nothing was written",
+                location=Location(f"{self.folder}/{name}"), fix="replace the link with a copy of its target",
             )  # fmt: skip
 
     def _in_the_way(self, path: str, message: str) -> SourceError:

@@ -142,7 +142,7 @@ def key_of(path: Path, table: str, names: tuple[str, ...], otherwise: str) -> st
 def _place(table: Any, key: str) -> tuple[MutableMapping[str, Any], str]:
     """Where a key stands: TOML takes one with a point in it and without quotation marks for a table."""
     if not isinstance(table, MutableMapping):
-        raise ValueError("it is no table")
+        raise ValueError("it is not a table")
     head, _, rest = key.partition(".")
     inner = table.get(head)
     return (inner, rest) if key not in table and isinstance(inner, MutableMapping) and rest in inner else (table, key)

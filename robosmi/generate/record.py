@@ -31,7 +31,7 @@ class Record:
     def __init__(self, folder: Path, place: str, digests: Mapping[str, str] | None = None) -> None:
         if not within(place):
             raise SourceError(
-                f"the record '{place}' would lie outside of the output folder",
+                f"the record '{place}' would be outside the output folder",
                 location=Location(str(folder)),
                 fix="give a path relative to the output folder",
             )
@@ -109,12 +109,12 @@ def lost_record(path: str, record: str) -> Finding:
     """
     return Finding(
         "RS905", Severity.error,
-        f"the copy of the text that was made last, {record}, is missing or was changed, so that edits cannot be told",
-        Location(path), fix="bring that copy back, or move the file away, run again, and put your text in",
+        f"the copy of the last generated text, {record}, is missing or was changed, so edits cannot be detected",
+        Location(path), fix="restore that copy, or move the file away, run again, and insert your text",
     )  # fmt: skip
 
 
 def restored_copy(path: str, record: str) -> Finding:
     """Says that a copy was missing or changed, and that nothing depended on it."""
-    message = f"the copy of the text that was made last, {record}, was missing or changed; it is made anew"
+    message = f"the copy of the last generated text, {record}, was missing or changed; it is written again"
     return Finding("RS521", Severity.info, message, Location(path))

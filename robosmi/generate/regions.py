@@ -184,7 +184,7 @@ def _partition(text: str, style: CommentStyle, first_line: int, broken: list[Bro
         line, line_at = line + text.count("\n", line_at, start.start()), start.start()
         if marker is None:
             if crowded is not None:
-                broken.append(BrokenMarker(line, crowded["id"], "text stands behind it in the same line", True))
+                broken.append(BrokenMarker(line, crowded["id"], "text follows it in the same line", True))
             continue
         if marker["state"]:
             if opened is not None:

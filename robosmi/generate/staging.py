@@ -197,7 +197,7 @@ class Staging:
             return read(data, as_it_is=as_it_is)
         except UnicodeDecodeError as error:
             raise SourceError(
-                f"the file that is there is no text in UTF-8 ({error.reason} at byte {error.start}), so it cannot be merged",
+                f"the existing file is not UTF-8 text ({error.reason} at byte {error.start}), so it cannot be merged",
                 location=Location(f"{self.folder}/{name}"),
                 fix="move it away, or give another target",
             ) from error
@@ -220,9 +220,9 @@ class Staging:
                 f"the marker of the region '{broken.identity}' is broken: {broken.what}; what was written there would be lost, "
                 "so nothing was written",
                 location=Location(f"{self.folder}/{name}", broken.line),
-                fix="put each marker into a line of its own, or generate with keep, which keeps the text as it is",
+                fix="put each marker into its own line, or generate with keep, which keeps the text",
             )
-        self._lost(name, broken.identity, f"its marker is broken ({broken.what})", "put its markers right, or generate with keep")
+        self._lost(name, broken.identity, f"its marker is broken ({broken.what})", "correct its markers, or generate with keep")
 
     def _lost(self, name: str, identity: str, why: str, fix: str) -> None:
         place = Location(f"{self.folder}/{name}")
@@ -261,7 +261,7 @@ class Staging:
     def _reformed(self, file: Pending) -> None:
         """Says that a file loses its line ends or byte order mark, as with EGL's engine."""
         if not file.formed and file.there is not None and (file.there.marked or {*(file.there.ends or ())} - {"\n"}):
-            message = "the file is made anew with line feeds and without a byte order mark, which it had otherwise"
+            message = "the file is generated again with line feeds and without a byte order mark; it had others"
             place = Location(f"{self.folder}/{file.name}")
             self.findings.append(Finding("RS523", Severity.info, message, place, fix="generate with keep, which keeps them"))
 
@@ -347,9 +347,9 @@ class Staging:
         if there is None or same_text(there, last):
             removed += [record.path(name)] if there is None else [name, record.path(name)]
             return
-        message = "it is no longer made, and was changed since it was; it is kept"
+        message = "the file is no longer generated, but was edited; it stays"
         place = Location(f"{self.folder}/{name}")
-        self.findings.append(Finding("RS514", Severity.warning, message, place, fix="remove it when you do not need it"))
+        self.findings.append(Finding("RS514", Severity.warning, message, place, fix="remove it if you do not need it"))
 
 
 class Changes(Sequence[FileChange]):

@@ -112,7 +112,7 @@ def undo(folder: Path) -> Undone:
         edited += [str(p) for p, (_, new) in outside.items() if (digest(d) if (d := there[p]) is not None else None) != new]
         if edited:
             raise StoppedError(
-                f"changed since the last run: {', '.join(sorted(edited))}; nothing was put back",
+                f"changed since the last run: {', '.join(sorted(edited))}; nothing was restored",
                 location=Location(str(folder / sorted(edited)[0])), fix="move your changes elsewhere, then undo again",
             )  # fmt: skip
         contents = {name: data for name, data in before.items() if data is not None}
@@ -164,7 +164,7 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
     """
     damaged = SourceError(
         "the record of the state before the last run is damaged", location=Location(str(folder)),
-        fix="make the sketch anew with migrate or generate",
+        fix="generate the sketch again with migrate or generate",
     )  # fmt: skip
     try:
         known = as_table(json_of(stored(folder, STATE)))
@@ -175,8 +175,8 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
         outside = {path: (_unpacked(old), new) for path, (old, new) in pairs.items()}
     except FileNotFoundError as error:
         raise SourceError(
-            "there is no earlier state of this folder", location=Location(str(folder)),
-            fix="give the output folder of a run that has changed something, where that run has made it",
+            "this folder has no earlier state", location=Location(str(folder)),
+            fix="give the output folder of a run that changed something, in its original place",
         ) from error  # fmt: skip
     except (OSError, ValueError, KeyError, TypeError, AttributeError, zlib.error) as error:
         raise damaged from error

@@ -99,7 +99,7 @@ def read_components(path: Path) -> tuple[ComponentQuery, ...]:
     for number, query in enumerate(result, 1):
         if query.id in seen:
             message = f"components {seen[query.id]} and {number} have the same id '{query.id}'"
-            raise SourceError(message, location=place, fix="give each component an id of its own")
+            raise SourceError(message, location=place, fix="give each component a unique id")
         seen[query.id] = number
     return result
 
@@ -133,8 +133,8 @@ class _Reader(Struct, frozen=True):
         if not isinstance(value, str):
             raise self._wrong(key, "a text", value)
         if any("\ud800" <= letter <= "\udfff" for letter in value):  # JSON can write half a character, nothing can store it
-            message = f"'{key}' of {self.where} has half a character (a lone surrogate) in it"
-            raise SourceError(message, location=self.location, fix="write the text anew")
+            message = f"'{key}' of {self.where} contains a lone surrogate"
+            raise SourceError(message, location=self.location, fix="write the text again")
         return value
 
     def texts(self, key: str) -> tuple[str, ...]:

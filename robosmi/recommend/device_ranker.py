@@ -43,7 +43,7 @@ _WHERE = {
     "name": "its name",
     "header": "its header's name",
     "keyword": "its keywords",
-    "meta": "what it says of itself",
+    "meta": "its description",
     "ident": "its identifiers",
 }
 
@@ -165,15 +165,19 @@ class DeviceRanker:
         """The reasons why a library is needed or not, from the device that the part is recognised as."""
         lexicon = self.knowledge.lexicon
         if lexicon is None or not part.devices:
-            return "no library needed: no table knows the part, and little in it asks for one" if decision == "none" else ""
+            return (
+                "probably no library needed: no table lists the part, and few of its words suggest one"
+                if decision == "none"
+                else ""
+            )
         found = part.devices[0]
         device = lexicon.devices[found.device]
         named = f"{device.name}, by '{found.said}' in the {found.where}"
         how = part.bus or device.interface
         if decision == "none":
-            return f"no library needed: {_HOW.get(how, 'plain calls do')} ({named})"
-        spoken = f", spoken to by {_SPOKEN.get(how, how)}" if how else ""
-        helps = "a library helps, plain calls do as well: " if decision == "optional" else ""
+            return f"no library needed: {_HOW.get(how, 'plain calls are enough')} ({named})"
+        spoken = f", used over {_SPOKEN.get(how, how)}" if how else ""
+        helps = "a library helps, but plain calls are enough: " if decision == "optional" else ""
         return f"{helps}{named}{spoken}"
 
     def _candidate(self, part: PartWords, score: float, entry: Evidence, first: str) -> Candidate:
@@ -186,15 +190,15 @@ class DeviceRanker:
         if entry.usual:
             reasons.append(f"usual library for {part.usual[entry.library][1]}")
         if entry.name >= 0.2:
-            reasons.append(f"the part explains {entry.name:.0%} of its name")
+            reasons.append(f"name match {entry.name:.0%}")
         if entry.text >= 0.05:
-            reasons.append(f"words in common: {', '.join(self._common(entry.library, part)) or 'few'}")
+            reasons.append(f"common words: {', '.join(self._common(entry.library, part)) or 'few'}")
         wanted = part.bus or part.interface
         agreement = self._agreement(entry.library, part)
         if agreement != 1.0:
-            reasons.append(f"it uses {'/'.join(sorted(self._speaks(entry.library) & _BUSES))}, the part {wanted}")
+            reasons.append(f"it uses {'/'.join(sorted(self._speaks(entry.library) & _BUSES))}, but the part uses {wanted}")
         if not self._suits(library):
-            reasons.append(f"does not name the architecture {self.architecture} (names {', '.join(library.architectures)})")
+            reasons.append(f"does not list the architecture {self.architecture} (it lists {', '.join(library.architectures)})")
         if library.installed:
             reasons.append("installed here")
         if first:
@@ -235,7 +239,7 @@ class DeviceRanker:
         listed.sort(key=lambda pair: pair[0])  # stable: among equals the score decides
         known = {candidate.library for candidate in candidates}
         strangers = [
-            Candidate(name, "", "", 0.0, (f"chosen before for {how}", "the index of libraries does not know it"))
+            Candidate(name, "", "", 0.0, (f"chosen before for {how}", "it is not in the index of libraries"))
             for name in sorted(chosen)
             if name not in known and self.index.library_named(name) is None
         ]
@@ -243,7 +247,10 @@ class DeviceRanker:
 
 
 _HOW = {
-    "digital": "a digital pin does", "analog": "an analogue input does", "pwm": "a PWM output does", "pulse": "pulses do",
-    "serial": "the serial port does",
-}  # fmt: skip
+    "digital": "a digital pin is enough",
+    "analog": "an analogue input is enough",
+    "pwm": "a PWM output is enough",
+    "pulse": "pulses are enough",
+    "serial": "the serial port is enough",
+}
 _SPOKEN = {"i2c": "I2C", "spi": "SPI", "onewire": "one wire", "pwm": "PWM"}

@@ -189,7 +189,7 @@ class History:
         """
         listed = [replace(entry, count=1) for entry in entries]
         if any(not entry.library or not (entry.part_id or entry.title) for entry in listed):
-            raise UsageError("a choice needs a part and a library", fix="name both")
+            raise UsageError("a choice needs a part and a library", fix="give both")
 
         def count(statements: Statements) -> int:
             more = f"UPDATE {{table}} SET count = count + 1, component = :component, {_LATER} WHERE {_KEY}"
@@ -236,7 +236,7 @@ class History:
         given = {"part_id": part_id, "title": title, "library": library}
         wanted = {name: value for name, value in given.items() if value is not None}
         if not wanted and not everything:
-            raise UsageError("it is not said what to forget", fix="name a part or a library, or say everything")
+            raise UsageError("nothing to forget is given", fix="give a part or a library, or everything")
         if not self._database.read("SELECT 1 FROM {table} LIMIT 1", {}):
             return 0
         condition = " AND ".join(f"{name} = :{name}" for name in wanted) or "1 = 1"

@@ -65,7 +65,7 @@ def unusable(place: str, cause: str) -> SourceError:
     return SourceError(
         f"the history of choices cannot be used: {cause}",
         location=Location(place),
-        fix="move the file away to start a new history, or name another place in ROBOSMI_HISTORY",
+        fix="move the file away to start a new history, or set another place in ROBOSMI_HISTORY",
     )
 
 
@@ -172,7 +172,7 @@ class SqliteFile:
         if (kind, version) == (0, 0) and not db.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
             return ""
         newer = kind == _APPLICATION and version > FORMAT
-        raise unusable(self.place, "a newer robosmi wrote it" if newer else "it is a database of something else")
+        raise unusable(self.place, "a newer robosmi wrote it" if newer else "it is another kind of database")
 
     def _make(self, db: sqlite3.Connection) -> None:
         """Create the table in an empty file, or convert a file of format 1 with its content."""
@@ -221,7 +221,7 @@ class SharedDatabase:
             raise MissingToolError(f"the driver of the database is missing: {error}", fix="install it with pip") from error
         except ArgumentError as error:
             raise SourceError(
-                f"this is no URL of a database: {error}", fix="write postgresql+psycopg://USER@HOST/NAME"
+                f"this is not the URL of a database: {error}", fix="write postgresql+psycopg://USER@HOST/NAME"
             ) from error
         self._made = False
 

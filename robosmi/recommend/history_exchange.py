@@ -46,7 +46,7 @@ def from_json(text: str, location: Location | None = None) -> list[HistoryEntry]
     Raises:
         SourceError: not of that form; the first wrong entry is named.
     """
-    fix = f'take a document that was exported: {{"schema": "{SCHEMA}", "entries": [...]}}'
+    fix = f'use an exported document: {{"schema": "{SCHEMA}", "entries": [...]}}'
     try:
         document = json_of(text)
     except ValueError as error:
@@ -76,7 +76,7 @@ def from_csv(text: str, location: Location | None = None) -> list[HistoryEntry]:
             found.append(entry_of(item | {"count": count}, f"line {table.line_num}", location))
         return found
     except csv.Error as error:
-        raise SourceError(f"this is no CSV: {error}", location=location, fix="correct the quotes") from error
+        raise SourceError(f"this is not CSV: {error}", location=location, fix="correct the quotes") from error
 
 
 def entry_of(item: object, where: str, location: Location | None) -> HistoryEntry:
@@ -94,7 +94,7 @@ def entry_of(item: object, where: str, location: Location | None) -> HistoryEntr
 
 def _wrong(item: object) -> str:
     if not isinstance(item, Mapping):
-        return "it is no entry"
+        return "it is not an entry"
     texts = [item.get(name, "" if name not in _NEEDED else None) for name in _TEXTS]
     if not all(isinstance(text, str) and not any("\ud800" <= letter <= "\udfff" for letter in text) for text in texts):
         return "a text is missing or is none"
@@ -102,7 +102,7 @@ def _wrong(item: object) -> str:
         return "it names no part or no library"
     count = item.get("count")
     if not isinstance(count, int) or isinstance(count, bool) or not 0 < count < 2**31:
-        return "its count is no whole number above 0"
+        return "its count is not a whole number above 0"
     try:
         return (
             "" if date.fromisoformat(item["last_used"]).isoformat() == item["last_used"] else "its day is not written YYYY-MM-DD"

@@ -207,7 +207,7 @@ class LibraryIndex:
             known = self._read = known | {library.id: library for library in found}
         lacking = next((number for number in numbers if number not in known), None)
         if lacking is not None:
-            raise self._damaged(f"library {lacking} is not there")
+            raise self._damaged(f"library {lacking} is missing")
         return [known[number] for number in numbers]
 
     def spread(self, terms: Sequence[str]) -> dict[str, int]:
@@ -236,7 +236,7 @@ class LibraryIndex:
         """
         row = self._one("SELECT id, library, file, main FROM header WHERE id = ?", number)
         if row is None:
-            raise self._damaged(f"header {number} is not there")
+            raise self._damaged(f"header {number} is missing")
         return Header(row[0], row[1], row[2], bool(row[3]))
 
     def api(self, number: int) -> tuple[HeaderApi, ...]:
@@ -272,7 +272,7 @@ class LibraryIndex:
     def _run(self, name: str) -> Sequence[int]:
         row = self._one("SELECT numbers FROM run WHERE name = ?", name)
         if row is None:
-            raise self._damaged(f"the run '{name}' is not there")
+            raise self._damaged(f"the run '{name}' is missing")
         return _unpack(row[0])
 
     def _one(self, sql: str, *values: object) -> tuple[Any, ...] | None:

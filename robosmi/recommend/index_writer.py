@@ -51,7 +51,7 @@ def write_index(target: Path, libraries: Iterable[LibraryRecord]) -> tuple[int, 
     rows = sorted(libraries, key=lambda row: (row.name.casefold(), row.name))
     for before, row in pairwise(rows):
         if before.name == row.name:
-            raise UsageError(f"the library '{row.name}' is there twice", fix="leave one of them out")
+            raise UsageError(f"the library '{row.name}' occurs twice", fix="remove one of them")
     headers = [(number, header) for number, row in enumerate(rows) for header in row.headers]
     with writing(target, _SCHEMA, APPLICATION, FORMAT) as db:
         _fill(db, rows, headers)

@@ -146,7 +146,7 @@ def _row(row: list[str], place: Location) -> _Row:
         raise PlatformDataError(f"this line has {len(row)} columns, not {len(COLUMNS)}", location=place, fix=_FIX)
     names = tuple(part.strip() for part in row[0].split("|") if part.strip())
     if not names:
-        raise PlatformDataError("this line names no device", location=place, fix=_FIX)
+        raise PlatformDataError("this line has no device", location=place, fix=_FIX)
     kinds = tuple(part.strip() for part in row[1].split("+") if part.strip())
     need = row[2].strip()
     if need not in _NEEDS:
@@ -179,6 +179,6 @@ def _number(kind: str, row: _Row, number_of: Callable[[str], int | None]) -> int
     found = number_of(kind)
     if found is None:
         raise PlatformDataError(
-            f"'{row.names[0]}' is said to be a '{kind}', which no table has", location=row.place, fix="name an entry of a table"
+            f"'{row.names[0]}' has the kind '{kind}', which is in no table", location=row.place, fix="use an entry of a table"
         )
     return found

@@ -108,7 +108,7 @@ class TfidfRanker:
         else:
             reasons.append("no word of the title occurs in its headers")
         if self.architecture and not self._suits(library, self.architecture):
-            reasons.append(f"does not name the architecture {self.architecture} (names {', '.join(library.architectures)})")
+            reasons.append(f"does not list the architecture {self.architecture} (it lists {', '.join(library.architectures)})")
         return Candidate(library.name, include, library.version, value, tuple(reasons))
 
     @staticmethod
@@ -122,7 +122,7 @@ def _times(count: int) -> str:
 
 
 def _stranger(name: str, count: int) -> Candidate:
-    return Candidate(name, "", "", utility(0.0, 0.0, count), (_times(count), "the index of libraries does not know it"))
+    return Candidate(name, "", "", utility(0.0, 0.0, count), (_times(count), "it is not in the index of libraries"))
 
 
 def _words(part: TermScore, file: str) -> str:

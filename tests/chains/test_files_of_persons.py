@@ -100,7 +100,7 @@ def test_a_file_that_is_no_utf_8_is_left_or_stops_the_run(migrated: Path, line_f
     change_program(line_follower)
     outcome = again(line_follower, migrated)
     assert outcome.code == 5
-    assert "no text in UTF-8" in outcome.err
+    assert "UTF-8" in outcome.err
     assert tree(migrated) == before
 
 
@@ -124,7 +124,7 @@ def test_without_the_text_that_was_made_last_an_edit_stops_the_run_and_nothing_e
     change_program(line_follower)
     outcome = again(line_follower, migrated)
     assert outcome.code == 5
-    assert "edits cannot be told" in outcome.err
+    assert "edits cannot be detected" in outcome.err
     assert tree(migrated) == before
     sketch.write_text(sketch.read_text().removeprefix("// mine\n"))  # without the edit, the file is what was made
     outcome = again(line_follower, migrated)
@@ -147,7 +147,7 @@ def test_a_link_in_place_of_a_file_stops_the_run(
     outcome = again(line_follower, migrated)
     assert outcome.code == 3
     assert "is a link" in outcome.err
-    assert "do: put a copy" in outcome.err
+    assert "a copy" in outcome.err
     assert tree(migrated) == before
     assert elsewhere.read_bytes() == there
     assert (migrated / name).is_symlink()
@@ -198,7 +198,7 @@ def test_an_edit_while_the_run_is_at_work_stops_it(
     before: dict[str, str] = {}
     monkeypatch.setattr(written_output, "update", slow)
     change_program(line_follower)
-    told = r"changed (while the run was at work|since the last run)"  # the latter where the run begins anew
+    told = r"changed (during the run|since the last run)"  # the latter where the run begins anew
     with pytest.raises(StoppedError, match=told):
         robosmi.migrate([line_follower], migrated)
     assert tree(migrated) == before
@@ -214,7 +214,7 @@ def test_an_edit_of_the_plan_while_generate_follows_it_stops_it(migrated: Path, 
         plan.write_text(plan.read_text().replace('toolVersion="edited ', 'toolVersion="edited twice '))
 
     monkeypatch.setattr(generate_chain, "settle", slow)
-    with pytest.raises(StoppedError, match="changed while the run was at work"):
+    with pytest.raises(StoppedError, match="changed during the run"):
         robosmi.generate_sketch(plan, migrated)
     assert "edited twice" in plan.read_text()
 

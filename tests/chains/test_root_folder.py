@@ -33,5 +33,5 @@ def test_a_dry_run_below_the_root_comes_to_an_end(folder: str, line_follower: Pa
 
 def test_a_file_in_the_way_of_a_folder_is_named(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("x")
-    with pytest.raises(Exception, match="a file stands where a folder is to be made"):
+    with pytest.raises(Exception, match="a file is in the place of a folder"):
         Places(tmp_path).read("a/b/c.txt")

@@ -49,7 +49,7 @@ def test_a_lock_is_the_same_whether_it_is_taken_at_once_or_waited_for(tmp_path: 
         lock = next((tmp_path / "home" / "runs").glob("*.lock"))
         assert lock.with_suffix(".who").read_text() == str(os.getpid())
     for _ in range(2):  # what failed leaves nothing behind
-        with FileLock(lock), pytest.raises(StoppedError, match=rf"process {os.getpid()}\) is at work"), at_work.alone(out, 0.1):
+        with FileLock(lock), pytest.raises(StoppedError, match=rf"process {os.getpid()}\) is active"), at_work.alone(out, 0.1):
             pass
         with at_work.alone(out, 0.1):
             pass
@@ -89,7 +89,7 @@ def test_generate_waits_for_a_living_writer_in_the_folder_of_its_plan(
     with living_writer(out, mark) as writer:
         with monkeypatch.context() as patched:
             patched.setattr("robosmi.files.run_lock.PATIENCE", 0.2)
-            with pytest.raises(StoppedError, match=rf"process {writer.pid}\) is at work"):
+            with pytest.raises(StoppedError, match=rf"process {writer.pid}\) is active"):
                 generate(out / "models" / "plan.xmi", tmp_path / output)
         assert tree(out) == before
         assert not (tmp_path / "other").exists()

@@ -382,7 +382,7 @@ def test_nothing_is_saved_out_of_the_project_through_a_link(linked: str, project
     (project / linked).symlink_to(secret)
     outcome = run("adapters", "save", project / "out", "--as", "project")
     assert outcome.code == 3
-    assert "lies outside of the project's folder, by a link" in outcome.err or "is a link" in outcome.err
+    assert "is outside the project's folder" in outcome.err or "is a link" in outcome.err
     assert "mine" not in outcome.err
     assert list(secret.iterdir()) == [] if linked == "adapters" else secret.read_text() == "mine\n"
     assert (project / linked).is_symlink()

@@ -309,7 +309,7 @@ def test_an_output_folder_that_is_a_file_is_refused(inside: str, line_follower: 
     (tmp_path / "taken").write_text("mine")
     before = tree(tmp_path)
     outcome = run("migrate", line_follower, "-o", tmp_path / "taken" / inside)
-    check_refused(outcome, 3, "taken", "a file stands where the output folder is to be")
+    check_refused(outcome, 3, "taken", "a file is in the place of the output folder")
     assert "give another output folder" in outcome.err
     assert tree(tmp_path) == before
 
@@ -317,7 +317,7 @@ def test_an_output_folder_that_is_a_file_is_refused(inside: str, line_follower: 
 def test_links_that_lead_to_each_other_are_no_output_folder_and_no_sketch(line_follower: Path, tmp_path: Path) -> None:
     (tmp_path / "one").symlink_to("two")
     (tmp_path / "two").symlink_to("one")
-    check_refused(run("migrate", line_follower, "-o", tmp_path / "one"), 3, "one", "a link that leads nowhere")
+    check_refused(run("migrate", line_follower, "-o", tmp_path / "one"), 3, "one", "a broken link")
     outcome = run("compile", tmp_path / "one")
     assert outcome.code == 3
     assert "the path is a broken link" in outcome.err
@@ -353,9 +353,7 @@ def test_a_file_where_a_folder_is_to_be_made_is_refused(name: str, line_follower
     place.parent.mkdir(parents=True)
     place.write_text("mine")
     before = tree(tmp_path)
-    check_refused(
-        run("migrate", line_follower, "-o", tmp_path / "out"), 3, str(place), "a file stands where a folder is to be made"
-    )
+    check_refused(run("migrate", line_follower, "-o", tmp_path / "out"), 3, str(place), "a file is in the place of a folder")
     assert tree(tmp_path) == before
 
 
@@ -365,7 +363,7 @@ def test_a_file_where_a_folder_is_to_be_made_is_refused(name: str, line_follower
 def test_a_folder_where_a_file_is_to_be_written_is_refused(name: str, line_follower: Path, tmp_path: Path) -> None:
     (tmp_path / "out" / name).mkdir(parents=True)
     before = tree(tmp_path)
-    check_refused(run("migrate", line_follower, "-o", tmp_path / "out"), 3, name, "a folder stands where a file is to be written")
+    check_refused(run("migrate", line_follower, "-o", tmp_path / "out"), 3, name, "a folder is in the place of a file")
     assert tree(tmp_path) == before
 
 
@@ -422,7 +420,7 @@ def test_a_link_that_leads_to_itself_is_refused(command: str, tmp_path: Path) ->
 
 def test_a_model_cannot_be_stored_over_a_folder(line_follower: Path, tmp_path: Path) -> None:
     (tmp_path / "code.xmi").mkdir()
-    check_refused(run("analyse", line_follower, "-o", tmp_path / "code.xmi"), 3, "code.xmi", "no ordinary file")
+    check_refused(run("analyse", line_follower, "-o", tmp_path / "code.xmi"), 3, "code.xmi", "ordinary file")
     assert tree(tmp_path / "code.xmi") == {}
 
 

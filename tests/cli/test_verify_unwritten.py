@@ -57,7 +57,7 @@ def test_the_verdict_is_told_though_picture_and_trace_cannot_be_written(folder: 
         ("RS902", "error", str(folder / "out" / "models" / PICTURE)),
         ("RS902", "error", str(folder / "file" / "x.vcd")),
     ]
-    assert found[0]["message"] == "the picture cannot be stored: the output path is no ordinary file"
+    assert found[0]["message"] == "the picture cannot be stored: the output path is not an ordinary file"
     assert found[1]["message"].startswith("the trace cannot be written: cannot write here")
     assert outcome.document["artifacts"] == []
     told = run(*words)

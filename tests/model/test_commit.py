@@ -176,9 +176,9 @@ def test_a_file_that_came_since_the_run_looked_stops_it(tmp_path: Path) -> None:
     commit(folder, {"a.txt": b"first"})
     (folder / "b.txt").write_bytes(b"mine")
     before = tree(folder)
-    with pytest.raises(StoppedError, match="changed while the run was at work"):
+    with pytest.raises(StoppedError, match="changed during the run"):
         commit(folder, {"b.txt": b"second"}, (), {"b.txt": None})
-    with pytest.raises(StoppedError, match="changed while the run was at work"):
+    with pytest.raises(StoppedError, match="changed during the run"):
         commit(folder, {}, ["b.txt"], {"b.txt": b"other"})
     assert tree(folder) == before
 

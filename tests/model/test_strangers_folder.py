@@ -162,7 +162,7 @@ def test_a_second_run_says_who_is_at_work_and_goes_on_when_that_run_is_killed(tm
         assert other.stdout is not None
         assert other.stdout.readline() == "in\n"
         assert not folder.exists()
-        with pytest.raises(StoppedError, match=rf"process {other.pid}\) is at work"), alone(folder, patience=0.2):
+        with pytest.raises(StoppedError, match=rf"process {other.pid}\) is active"), alone(folder, patience=0.2):
             pass
         other.kill()
     commit(folder, {"a": b"1"})
@@ -220,6 +220,6 @@ def test_a_folder_without_permission_is_told(tmp_path: Path, monkeypatch: pytest
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("ROBOSMI_HOME", str(tmp_path / "file" / "home"))
     monkeypatch.setattr("tempfile.gettempdir", lambda: str(tmp_path / "file"))
-    with pytest.raises(RobosmiError, match="lock of a run cannot be kept"):
+    with pytest.raises(RobosmiError, match="lock of a run cannot be written"):
         commit(tmp_path / "out", {"a": b"1"})
     assert not (tmp_path / "out").exists()

@@ -34,7 +34,7 @@ def test_everything_is_read() -> None:
         ({"title": "T"}, "the component has no 'id'"),
         ({"id": "1", "title": 3}, "'title' of the component is a number, not a text"),
         ({"id": True, "title": "T"}, "'id' of the component is true or false, not a text"),
-        ({"id": "1", "title": "T\ud800"}, "'title' of the component has half a character (a lone surrogate) in it"),
+        ({"id": "1", "title": "T\ud800"}, "'title' of the component contains a lone surrogate"),
         ({"id": "1", "title": "T", "tags": "a"}, "'tags' of the component is a text, not a list of texts"),
         ({"id": "1", "title": "T", "connectors": [1]}, "'connectors' of the component is a list, not a list of texts"),
         (

@@ -94,7 +94,7 @@ def test_a_choice_needs_part_and_library(history: History) -> None:
 def test_forget(history: History) -> None:
     for part_id, library in [("p", "A"), ("p", "B"), ("q", "A")]:
         history.record(part_id, "t", library)
-    with pytest.raises(UsageError, match="what to forget"):
+    with pytest.raises(UsageError, match="to forget"):
         history.forget()
     assert history.forget("p", library="A") == 1
     assert history.forget("nobody") == 0
@@ -205,7 +205,7 @@ def test_a_damaged_document_is_refused(document: object) -> None:
         ("", "the column 'part_id' is missing"),
         ("part_id,title,library,count,last_used\np,t,A,x,2026-11-21\n", "line 2 of the history is damaged: its count"),
         ("part_id,title,library,count,last_used\np,t,,1,2026-11-21\n", "it names no part or no library"),
-        ('part_id,title,library,count,last_used\n"p,t,A,1,2026-11-21\n', "this is no CSV"),
+        ('part_id,title,library,count,last_used\n"p,t,A,1,2026-11-21\n', "this is not CSV"),
     ],
 )
 def test_a_damaged_table_is_refused(text: str, message: str) -> None:

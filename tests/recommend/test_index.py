@@ -120,7 +120,7 @@ def test_command_line(tiny_facts: Path, tmp_path: Path, capsys: pytest.CaptureFi
 def test_libraries_that_are_read_at_once(tiny: LibraryIndex) -> None:
     assert tiny.libraries([3, 0, 3]) == [tiny.library(3), tiny.library(0), tiny.library(3)]
     assert tiny.libraries([]) == []
-    with pytest.raises(PlatformDataError, match="library 99 is not there"):
+    with pytest.raises(PlatformDataError, match="library 99 is missing"):
         tiny.libraries([1, 99])
 
 

@@ -89,9 +89,9 @@ def test_how_a_part_is_spoken_to(connectors: tuple[str, ...], title: str, wanted
     [
         ("names,is\n", "is not a table of devices"),
         ("names,is,need,interface\na,b\n", "this line has 2 columns"),
-        ("names,is,need,interface\n|,,,\n", "names no device"),
+        ("names,is,need,interface\n|,,,\n", "has no device"),
         ("names,is,need,interface\na,,libary,\n", "'libary' is no need (did you mean 'library'?)"),
-        ("names,is,need,interface\na,nothing,,\n", "which no table has"),
+        ("names,is,need,interface\na,nothing,,\n", "which is in no table"),
         ('names,is,need,interface\n"a,,,\n', "cannot be read"),
     ],
 )

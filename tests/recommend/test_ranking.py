@@ -63,7 +63,7 @@ def test_ties_named_then_popular_then_by_name(tiny: LibraryIndex) -> None:
 
 
 def test_architecture_is_a_remark_not_a_filter(tiny: LibraryIndex) -> None:
-    remark = "does not name the architecture avr (names esp32)"
+    remark = "does not list the architecture avr (it lists esp32)"
     servo, kit = TfidfRanker(tiny, "avr").rank(SERVO).candidates
     assert remark in kit.reasons
     assert not any("architecture" in reason for reason in servo.reasons)
@@ -93,7 +93,7 @@ def test_chosen_but_not_in_the_index(tiny: LibraryIndex, history: History) -> No
         "header": "",
         "version": "",
         "score": 1.0,
-        "reasons": ["chosen 1 time before for this part", "the index of libraries does not know it"],
+        "reasons": ["chosen 1 time before for this part", "it is not in the index of libraries"],
     }
 
 

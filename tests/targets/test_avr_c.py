@@ -101,7 +101,7 @@ def test_programs_compile_as_c(case: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize("rule", ["RS320", "RS321", "RS323", "RS324"])
 def test_advice_is_that_of_the_target(rule: str, tmp_path: Path) -> None:
     program = HERE.parent / "transformations" / "constraints" / "moves" / f"{rule}_fails.c"
-    words = {"RS320": ("pinMode", "DDRB"), "RS321": ("from loop", "from main"), "RS323": ("let loop", "let main")}
+    words = {"RS320": ("pinMode", "DDRB"), "RS321": ("from loop", "from main"), "RS323": ("of loop", "of main")}
     said = {}
     for target in ("uno", "avr-c"):
         outcome = run("migrate", program, "--target", target, "-o", tmp_path / target, "--json")

@@ -189,7 +189,12 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
 @pytest.mark.parametrize(
     ("part", "old", "new", "message"),
     [
-        ("arduino/boards", "ram_bytes = 2048", "ram_byte = 2048", r"'ram_byte' is not a key of it \(did you mean 'ram_bytes'\?\)"),
+        (
+            "arduino/boards",
+            "ram_bytes = 2048",
+            "ram_byte = 2048",
+            r"'ram_byte' is not a key of it \(did you mean 'ram_bytes'\?\)",
+        ),
         ("arduino/boards", "ram_bytes = 2048", 'ram_bytes = "2 K"', "'ram_bytes' must be a whole number"),
         ("arduino/boards", "interrupts = { D2", "interrupts = { D99", "'interrupts.D99' is not a pin of this board"),
         ("arduino/boards", 'define = "AVR_UNO"', "", "'define' is missing"),
@@ -226,7 +231,7 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
         ("boards", 'timer = "Timer2", channel = "B"', 'timer = "Timer2", channel = "A"', "'pins' has Timer2 channel A twice"),
         ("boards", 'aliases = ["RX"]', 'aliases = ["D9"]', "gives 'D0' the alias 'D9', which is a name of 'D9'"),
         ("boards", 'aliases = ["RX"]', 'aliases = ["TX"]', "gives 'D0' the alias 'TX', which is a name of 'D1'"),
-        ("mcus", 'ports = "', 'ports = "(', "'ports' is no regular expression"),
+        ("mcus", 'ports = "', 'ports = "(', "'ports' is not a regular expression"),
         ("boards", "aliases = []", "alias = []", r"'pins\[2\].alias' is not a key of it \(did you mean 'aliases'\?\)"),
         ("boards", "volts = 5.0", "volts = 5.0\nvolt = 5.0", "'volt' is not a key of it"),
         ("boards", 'led = "D13"', 'led = "D31"', "'led' is 'D31', which is not a pin of this board"),

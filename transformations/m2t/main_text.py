@@ -7,6 +7,7 @@ after the loop come last.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -196,6 +197,10 @@ def _whole(change: migration.TextChange, copy: migration.TextCopy) -> bool:
     return change.startOffset <= copy.startOffset and copy.endOffset <= change.endOffset
 
 
+def _start(statement: ccode.Statement) -> int:
+    return int(statement.startOffset)
+
+
 def _function(
     name: str,
     source: SourceText,
@@ -224,8 +229,10 @@ def _function(
         yield MainPart(line, "generation", "first statement", [owner])
     pieces: list[Piece] = []
     position = start
+    ordered = sorted(statements, key=_start)
     for cut_start, cut_end in [*sorted(c for c in cuts if start <= c[0] < end), (end, end)]:
-        pieces += [p for p in source.pieces(position, cut_start, statements) if p.text]
+        here = ordered[bisect_left(ordered, position, key=_start) : bisect_left(ordered, cut_start, key=_start)]
+        pieces += [p for p in source.pieces(position, cut_start, here) if p.text]
         position = cut_end
     texts = _indented(pieces, source)
     if texts:

@@ -7,15 +7,22 @@ from functools import cache
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
+from robosmi.model.elements.ordering import post_order
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
 RULE = "RS337"
 _CODE = (".ino", ".cpp", ".c", ".h")
+_MOST_MEMBERS = 100_000
+"""Members of a structure, those of its members included, beyond which libclang is not asked: it takes memory for each.
+
+No microcontroller has the memory for such a variable.
+"""
 _MOST = 10
 """Limit on the reported lines."""
 _TOLD_BEFORE = frozenset({"RS101", "RS312"})
@@ -37,7 +44,8 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
     pins = {text for b in plan.portBindings if b.pin is not None and (text := pin_literal(b.pin)).isidentifier()}
     pins |= {text for c in plan.connections if c.pin is not None and (text := pin_literal(c.pin)).isidentifier()}
     header = str(plan.target.mainHeader) if plan.target is not None else ""
-    return GeneratedProgram(made, header, str(target_of(plan).language), pins=pins)
+    vast = plan.program is not None and _most_members(plan.program, made) > _MOST_MEMBERS
+    return GeneratedProgram(made, header, str(target_of(plan).language), pins=pins, vast=vast)
 
 
 def compiler_errors(
@@ -88,6 +96,24 @@ def source_place(
         return _place(line, shown(file), unit, sources) if unit is not None else None
 
     return place
+
+
+def _most_members(program: ccode.Program, texts: Mapping[str, bytes]) -> int:
+    """The number of numbers and pointers in the largest structure of a program."""
+    if not any(b"struct" in data or b"union" in data for data in texts.values()):
+        return 0
+    counts: dict[ccode.Record, int] = {}
+
+    def parts(record: ccode.Record) -> list[ccode.Record]:
+        kinds = [of_use(field.valueType) for field in record.fields]
+        found = [kind.declaration for kind in kinds if kind is not None and not kind.depth]
+        return [each for each in found if isinstance(each, ccode.Record)]
+
+    records = [each for unit in program.units for each in unit.eAllContents() if isinstance(each, ccode.Record)]
+    for record in post_order(records, parts):
+        inner = parts(record)
+        counts[record] = sum(counts.get(each, 0) for each in inner) + len(record.fields) - len(inner)
+    return max(counts.values(), default=0)
 
 
 def _place(number: int, shown: Sequence[str], unit: ccode.SourceUnit, sources: Mapping[str, bytes]) -> Location:

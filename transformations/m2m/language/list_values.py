@@ -79,16 +79,22 @@ def is_union(kind: ValueType | None) -> bool:
     return isinstance(record, ccode.Record) and record.recordKind is ccode.RecordKind.unionType
 
 
+_DEEPEST = 180
+"""Brackets within one another; the reader cuts out what nests deeper."""
+
+
 def values_of(words: Sequence[Token]) -> list[ListValue]:
     """Split the tokens between the braces of a list into its values.
 
     Raises:
-        UnknownList: a designator has no value behind it.
+        UnknownList: a designator has no value behind it, or the values nest deeper than any parser takes.
     """
     parts: list[list[Token]] = [[]]
     depth = 0
     for word in words:
         depth += (word[3] in ("(", "[", "{")) - (word[3] in (")", "]", "}"))
+        if depth > _DEEPEST:
+            raise UnknownList
         if word[3] == "," and depth == 0:
             parts.append([])
         else:

@@ -165,16 +165,30 @@ def _with_unused(code: FoldedCode, ignored: set[int], moved: set[int]) -> set[in
     """The ignored expressions, with those added whose values go only to local variables and parameters that nothing reads."""
     found = set(ignored)
     locals_ = [e for e in code.elements if isinstance(e, (ccode.Variable, ccode.Parameter)) and not _stays(e, moved)]
-    locals_ = [e for e in locals_ if e.valueType is not None and not is_volatile(e)]
     inside = {id(e) for e in code.elements}
-    while True:
-        before = len(found)
-        for each in locals_:
-            live = [r for r in each.references if id(r) in inside and not is_ignored(r, found)]
-            if all(way(r) in ("written", "size") for r in live):
-                found.update(id(given) for given in _given(each, inside))
-        if len(found) == before:
-            return found
+    needed = {  # the references that make a variable needed
+        id(each): {id(r) for r in each.references if id(r) in inside and not is_ignored(r, found) and way(r) not in _UNREAD}
+        for each in locals_
+        if each.valueType is not None and not is_volatile(each)
+    }
+    waiting = [each for each in locals_ if needed.get(id(each)) == set()]
+    while waiting:
+        for given in _given(waiting.pop(), inside):
+            if given is None or id(given) in found:
+                continue
+            found.add(id(given))
+            for reference in (given, *given.eAllContents()):
+                target = reference.target if isinstance(reference, ccode.NameReference) else None
+                left = needed.get(id(target), set())
+                if id(reference) in left and is_ignored(reference, found):  # type: ignore[arg-type]
+                    left.discard(id(reference))
+                    if not left:
+                        waiting.append(target)  # type: ignore[arg-type]
+    return found
+
+
+_UNREAD = ("written", "size")
+"""Ways in which a reference does not read its variable (see `way`)."""
 
 
 def _stays(declaration: ccode.Variable | ccode.Parameter, moved: set[int]) -> bool:

@@ -58,6 +58,7 @@ class FlowReader:
         self.followed: set[tuple[str, int, int]] = set()
         """The keys of `given` whose argument the code model has an expression for (filled by `value_uses`)."""
         self._known: set[Hashable] = set()
+        self._initialisers = Initialisers()
         self._fields: dict[str, dict[Hashable, None]] = {}
         """Name of a member -> the keys of the members of that name."""
         self._unread = 0
@@ -218,7 +219,7 @@ class FlowReader:
         key = self.key(literal)
         if key not in self._known:
             self._known.add(key)
-            name, within, holder = initialised_constant(literal)
+            name, within, holder = initialised_constant(literal, self._initialisers)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
             start, end = int(literal.startOffset), int(literal.endOffset)
@@ -464,7 +465,28 @@ def _written(reference: ccode.Expression) -> bool:
     return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
 
 
-def initialised_constant(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
+class Initialisers:
+    """What many literals of one list or variable ask for, computed once."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[ccode.InitializerList, dict[ccode.Located, int] | None] = {}
+        self._written: dict[ccode.Variable, bool] = {}
+
+    def numbers(self, values: ccode.InitializerList) -> dict[ccode.Located, int] | None:
+        """The index of each value of a list; None where a value is designated."""
+        if values not in self._numbers:
+            designated = any(is_designated(each) for each in values.elements)
+            self._numbers[values] = None if designated else {each: number for number, each in enumerate(values.elements)}
+        return self._numbers[values]
+
+    def is_written(self, variable: ccode.Variable) -> bool:
+        """Whether a reference to a variable, or to an element of it, changes it."""
+        if variable not in self._written:
+            self._written[variable] = any(_written(reference) for reference in variable.references)
+        return self._written[variable]
+
+
+def initialised_constant(literal: ccode.IntegerLiteral, known: Initialisers) -> tuple[str, str, ccode.Located]:
     """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
 
     The names are empty, and the element is the literal, where the literal initialises no constant.
@@ -473,14 +495,15 @@ def initialised_constant(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode
     index = None
     while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
         if isinstance(outer, ccode.InitializerList):
-            if index is not None or any(is_designated(each) for each in outer.elements):
+            numbers = known.numbers(outer)
+            if index is not None or numbers is None:
                 return "", "", literal
-            index = list(outer.elements).index(inner)
+            index = numbers[inner]
         inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
     if not isinstance(outer, ccode.Variable):
         return "", "", literal
     function = ancestor_of_kind(outer, ccode.Function)
-    if any(_written(reference) for reference in outer.references):
+    if known.is_written(outer):
         return "", "", literal  # the name says no longer which port it is
     name = str(outer.name) if index is None else f"{outer.name}[{index}]"
     if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:

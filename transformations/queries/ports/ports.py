@@ -219,6 +219,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, 
             numbers.setdefault(name, set()).add(place.value)
     shared = {name: sorted(several) for name, several in numbers.items() if len(several) > 1}
     shared |= {name: sorted(several) for name, several in meant.items() if len(several) > 1}
+    named: set[tuple[int, str]] = set()
     for place in places:
         port = found[place.value]
         name = _full_name(place, meant)
@@ -227,7 +228,8 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, 
         elif port.origin != "declaration":
             port.origin, port.element, port.name = "declaration", place.element, name
             port.names = [f"P{port.pin}"]
-        elif name != port.name and name not in port.names:
+        elif name != port.name and (port.pin, name) not in named and name not in port.names[-1:]:
+            named.add((port.pin, name))
             port.names.insert(len(port.names) - 1, name)
 
     for each in through:

@@ -149,6 +149,7 @@ class _Reader:
         self.here, self.there = machines
         self.data = parsed.source.data
         self.ends: dict[int, int] = {}
+        self.enumerations: dict[tuple[int | None, ...], Number] = {}
         for expansion in parsed.expansions:
             self.ends.setdefault(expansion.start, expansion.end)
         self.begins: dict[int, int] = {}
@@ -318,6 +319,12 @@ class _Reader:
 
     def _enumeration(self, declared: Cursor) -> Number:
         """The type that values of an enumeration are promoted to in C++ on the target."""
+        key = tuple(declared.data)
+        if key not in self.enumerations:
+            self.enumerations[key] = self._promoted(declared)
+        return self.enumerations[key]
+
+    def _promoted(self, declared: Cursor) -> Number:
         values: list[int] = []
 
         def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
@@ -22,7 +22,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.elements.ordering import post_order
-from robosmi.transformations.knowledge.lexer import Token, definition_parts, directive_parts, tokens as tokenise
+from robosmi.transformations.knowledge.lexer import KEYWORDS, Token, definition_parts, directive_parts, tokens as tokenise
 from robosmi.transformations.knowledge.replacements import Replacement
 
 MAX_BRACKETS = 180
@@ -47,6 +47,9 @@ LARGEST = inputs.SOURCE.most
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _BRACKETS = re.compile(rb"[()\[\]{}]")
 _PREFIX = re.compile(rb"[;{}]")
+_CONDITION = re.compile(rb"#[ \t]*(?:el)?if[^\n]{180}")
+"""A condition so long that it may nest too deep; a shorter one goes on in the next line, and has a backslash."""
+_UNARY = frozenset("!~+-")
 
 
 def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
@@ -67,12 +70,14 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
         and sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) < MAX_BRACKETS
         and (len(tokens) < MAX_RUN or max(len(each) for each in _PREFIX.split(data)) < MAX_RUN)
     )
+    conditions = [each for each in tokens if each[0] == "directive" and _nests(each[3], weights)]
+    deep = [Replacement(start, end, f"#{directive_parts(text)[0]} 0") for _, start, end, text in conditions]
     if harmless and len(tokens) < MOST_DECLARED:
-        return []
+        return deep
     plain = [t for t in tokens if t[0] != "comment" and t[0] != "directive"]
     repeated = repeats(plain)
     if harmless:
-        return repeated
+        return [*deep, *repeated]
     scan = _Scan(plain, weights)
     scan.run()
     if scan.total > MAX_EXPANDED:
@@ -80,7 +85,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
             f"its macros expand to more than {MAX_EXPANDED:,} tokens",
             location=Location(path), fix="remove the macros that expand each other",
         )  # fmt: skip
-    return [*scan.edits, *repeated]
+    return [*scan.edits, *deep, *repeated]
 
 
 def shallow(data: bytes) -> bool:
@@ -90,7 +95,33 @@ def shallow(data: bytes) -> bool:
         depth += 1 if bracket in b"([{" else -1
         if depth >= MAX_BRACKETS:
             return False
-    return data.count(b"else") < MAX_BRANCHES and max(len(each) for each in _PREFIX.split(data)) < 5 * MAX_RUN
+    few = data.count(b"else") < MAX_BRANCHES and data.count(b"(") < MAX_RUN  # each `for (;;)` within another has one
+    return few and _CONDITION.search(data) is None and max(len(each) for each in _PREFIX.split(data)) < 5 * MAX_RUN
+
+
+def _nests(directive: str, weights: Mapping[str, Weight]) -> bool:
+    """Whether the condition of a directive nests too deep, by brackets, unary operators, `?` or what its macros expand to."""
+    if len(directive) < MAX_BRACKETS and not weights:
+        return False
+    word, condition = directive_parts(directive)
+    if word not in ("if", "elif"):
+        return False
+    words = [text for kind, _, _, text in tokenise(condition.encode("utf-8", "replace")) if kind != "comment"]
+    if words.count("?") >= MAX_BRACKETS or sum(weights[each].size for each in words if each in weights) >= MAX_RUN:
+        return True
+    depth = unary = 0
+    for text in words:
+        depth += (text == "(") - (text == ")")
+        unary = unary + 1 if text in _UNARY else 0
+        if depth + unary >= MAX_BRACKETS:
+            return True
+    return False
+
+
+def _is_list_of(tokens: Sequence[Token], number: int) -> bool:
+    """Whether a round bracket opens the arguments or parameters of something, whose commas do not nest."""
+    kind, _, _, before = tokens[number - 1] if number else ("punct", 0, 0, "")
+    return (kind == "name" and before not in KEYWORDS) or before in (")", "]")
 
 
 class _Scan:
@@ -128,7 +159,7 @@ class _Scan:
                 of_type = text == "{" and i > 0 and tokens[i - 1][0] == "name" and before not in ("else", "do")
                 counts.append(0)
                 starts.append(i + 1)
-                lists.append(text != "{" or inherits or of_type)
+                lists.append(inherits or of_type if text == "{" else text == "(" and _is_list_of(tokens, i))
                 factors.append(min(factors[-1] * self.weights[before].repeats, MAX_EXPANDED * 2) if named else factors[-1])
                 repeated.append(min(repeated[-1] * self.weights[before].at_once, MAX_EXPANDED * 2) if named else repeated[-1])
                 chains.append(0)

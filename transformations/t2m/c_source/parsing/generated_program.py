@@ -50,6 +50,7 @@ class GeneratedProgram:
         language: `C` or `C++`.
         adapters: name of the file that contains the adapters.
         pins: names that the target's headers give to pins.
+        vast: whether its types are too large for libclang, which takes memory for each member; then nothing is parsed.
 
     Attributes:
         files: the files, as given.
@@ -66,8 +67,9 @@ class GeneratedProgram:
         language: str = "C++",
         adapters: str = ADAPTERS_FILE,
         pins: Collection[str] = (),
+        vast: bool = False,
     ) -> None:
-        self.files, self.adapters = files, adapters
+        self.files, self.adapters, self._vast = files, adapters, vast
         self.texts = {f"{SKETCH}/{name}": data for name, data in files.items()}
         self.texts[f"{SKETCH}/{adapters}"] = _BODIES.sub(rb"\1;", files.get(adapters, b""))
         for data in files.values():
@@ -92,8 +94,8 @@ class GeneratedProgram:
     def _parsed(self, flags: Sequence[str]) -> list[tuple[str, int]]:
         virtual = clang.unsaved(self.texts)
         names = [name for name in self.files if not name.endswith(".h")]
-        if any(_nests_too_deep(path, text) for path, text in self.texts.items()):
-            self.unread = names  # libclang would overrun its stack
+        if self._vast or any(_nests_too_deep(path, text) for path, text in self.texts.items()):
+            self.unread = names  # libclang would overrun its stack or memory
             return []
         read = [(name, clang.parse(f"{SKETCH}/{name}", flags, virtual, _ON_AFTER_MISSING)) for name in names]
         self.unread = [name for name, unit in read if unit is None]
