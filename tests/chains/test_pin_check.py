@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -21,6 +22,8 @@ from robosmi.transformations.queries.flows.flow_reader import FlowReader
 from robosmi.transformations.queries.macros.argument_places import TokenText
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE
 from robosmi.transformations.queries.reports.work import Work
+from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinNames, PinPlace, follow_pins
+from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 from tests.running import run
 from tests.tools import require_engine, require_tools
 
@@ -106,8 +109,8 @@ def plan_of(case: str, bind: dict[str, str] | None = None, project: bool = True)
     )
 
 
-def calls_ready(models: MigrationModels) -> bool:
-    counts = Work(models.plan).calls
+def calls_ready(plan: migration.MigrationPlan) -> bool:
+    counts = Work(plan).calls
     return counts["works"] == counts["total"]
 
 
@@ -169,7 +172,7 @@ def test_without_the_mend_the_check_finds_two_ports_that_one_name_has_bound() ->
 def test_calls_through_a_table_of_own_and_platform_functions_are_not_ready(tmp_path: Path) -> None:
     made = robosmi.migrate([HOSTILE / "function_pointer_ready" / "a02_fptable.c"], tmp_path / "out")
     assert {f.line for f in made.models.plan.findings if f.rule == PIN_RULE} == {9}
-    assert not calls_ready(made.models)
+    assert not calls_ready(made.models.plan)
     assert written(Work(made.models.plan)) != "nothing"
 
 
@@ -196,3 +199,14 @@ def test_each_compound_assignment_of_a_register_compiles(name: str, tmp_path: Pa
     require_tools("avr-gcc", "arduino-core-avr")
     made = robosmi.migrate([HOSTILE / "registers_nothing_open" / name], tmp_path / "out", bind={"P3": "D9"})
     assert robosmi.compile_sketch(made.sketch).ok
+
+
+TEXTS = tomllib.loads((CASES / "followed.toml").read_text())["text"]
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=[text["name"] for text in TEXTS])
+def test_what_reaches_a_pin_is_followed_through_cpp(text: dict[str, Any]) -> None:
+    sketch = f'#include <Arduino.h>\n#include "adapters.h"\n{text["code"]}\n'.encode()
+    program = GeneratedProgram({"robot.ino": sketch, "adapters.h": b"inline void high(int32_t p) { drive(p); }\n"}, "Arduino.h")
+    names = PinNames({"high": [PinPlace(0)]}, frozenset({"port"}), {}, {"12": 1}, 255)
+    assert [wrong.what for wrong in follow_pins(program, names).wrong] == text["what"]

@@ -134,6 +134,8 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "getCanonicalCursor": ([Cursor], Cursor),
     "getCursorUSR": ([Cursor], String),
     "getCursorLinkage": ([Cursor], c_int),
+    "getOverriddenCursors": ([Cursor, POINTER(POINTER(Cursor)), POINTER(c_uint)], None),
+    "disposeOverriddenCursors": ([POINTER(Cursor)], None),
     "Cursor_getVarDeclInitializer": ([Cursor], Cursor),
     "getSpecializedCursorTemplate": ([Cursor], Cursor),
     "getCursorSpelling": ([Cursor], String),
@@ -347,6 +349,16 @@ def file_offset(location: SourceLocation) -> tuple[int | None, int]:
     file, offset = c_void_p(), c_uint()
     library().getFileLocation(location, byref(file), None, None, byref(offset))
     return file.value, offset.value
+
+
+def overridden(method: Cursor) -> list[Cursor]:
+    """The methods of base classes that a method overrides."""
+    found, count = POINTER(Cursor)(), c_uint()
+    library().getOverriddenCursors(method, byref(found), byref(count))
+    methods = [Cursor.from_buffer_copy(bytes(found[number])) for number in range(count.value)]
+    if found:
+        library().disposeOverriddenCursors(found)
+    return methods
 
 
 def line_of(location: SourceLocation) -> tuple[int | None, int]:

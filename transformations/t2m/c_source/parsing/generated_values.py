@@ -95,11 +95,16 @@ class GeneratedValues(GeneratedNames):
     def _function(self, node: GeneratedNode) -> Key:
         name = self.unique_name(node.cursor)
         key = ("function", name)
+        overridden = clang.overridden(node.cursor) if node.kind == kinds.CXX_METHOD else []
+        bases = [self.unique_name(method) for method in overridden]
+        self.defined.update(bases)  # a call of one may run this method
         before: GeneratedNode | None = None
         place = 0
         for child in node.children:
             if child.kind == kinds.PARM_DECL:
                 self._parameter(child, name, place)
+                for base in bases:
+                    self.given.setdefault(("parameter", name, place), []).append(("parameter", base, place))
                 place += 1
             elif child.kind == kinds.COMPOUND_STMT:
                 self.defined.add(name)
