@@ -7,7 +7,7 @@
 // double __builtin_cbrt(double)
 // called in line 11
 // no header declares it: its signature is inferred from the calls
-// the target has a __builtin_cbrt of its own, so this one has another name there
+// the target has a __builtin_cbrt too, so this one has another name there
 double propeller___builtin_cbrt(double argument1) {
   // TODO: complete method
   (void)argument1;

@@ -48,7 +48,7 @@ inline int32_t port(int32_t number) {
 
 // int input(int pin)  [simpletools.h]
 // used without a call, or in the body of a macro
-// it is handed on as a value, so its types are those it had
+// the program uses it as a value, so its types are unchanged
 int32_t input(int32_t pin) {
   // TODO: complete method
   (void)pin;
