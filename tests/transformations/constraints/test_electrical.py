@@ -224,7 +224,7 @@ def test_the_first_entry_that_fits_and_is_not_forbidden_counts() -> None:
 @pytest.mark.parametrize(
     ("entry", "said"),
     [
-        ('kind = "a"\nwords = ["a"]\nvolt = [1, 2]', "'volt' is no key of a device (did you mean 'volts'?)"),
+        ('kind = "a"\nwords = ["a"]\nvolt = [1, 2]', "'volt' is not a key of a device (did you mean 'volts'?)"),
         ('kind = "a"\nwords = ["a"]\nvolts = [1]', "'volts' has the value [1]"),
         ('kind = "a"\nwords = ["a"]\ninductive = "yes"', "'inductive' has the value 'yes'"),
         ('kind = "a"', "its kind or the keys that find it are missing"),

@@ -56,7 +56,7 @@ def test_it_is_asked_at_one_wire_and_heard_at_the_other(said: dict[str, str], tm
     assert len(read) >= 4
     assert set(read) == {"40"}
     assert made.models.plan.portBindings
-    assert "answers at D6" in (made.sketch / "MIGRATION.md").read_text() or said
+    assert "echo on D6" in (made.sketch / "MIGRATION.md").read_text() or said
 
 
 @pytest.mark.processes

@@ -234,7 +234,8 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
 def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
     """The direction of a connection (read, write or bus): from the connector's kind or name, else the part's role and place."""
     component = reached.component
-    if all(connector.kind in _SUPPLIES for connector in reached.connectors):
+    analog = label[0] == "A" and label[1:].isdecimal()  # not any pin that can: on some boards D4 can, and is used as D4
+    if not analog and all(connector.kind in _SUPPLIES for connector in reached.connectors):
         return "write"  # the pin supplies the part: as an input it would leave it without power
     ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
     told = next((way for way in ("bus", "write", "read") if way in ways), None)
@@ -244,7 +245,6 @@ def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
     if component.driver:
         return told if told is not None and component.role is not Role.Both else _driver_signal(component, default)
     about = f"{component.family} / {component.partTitle}"
-    analog = label[0] == "A" and label[1:].isdecimal()  # not any pin that can: on some boards D4 can, and is used as D4
     if default == "write" and analog and about in known.read_on_analog and about not in known.not_read_on_analog:
         return "read"
     if told == "read":
