@@ -61,6 +61,7 @@ class Automaton:
         if isinstance(pattern.pattern, bytes):
             self.flags |= re.ASCII
         parsed = parser.parse(text, self.flags & ~re.UNICODE if self.flags & re.ASCII else self.flags)
+        self.accepting: set[int] = set()
         made = self.build(parsed)
         if anywhere:
             self.next[_BEFORE].append((_BEFORE, 0))

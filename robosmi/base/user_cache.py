@@ -16,6 +16,7 @@ import tempfile
 import zlib
 from contextlib import suppress
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Generic, TypeVar
 
 import msgspec
@@ -41,6 +42,14 @@ def read_cached(name: str) -> bytes | None:
         if _is_ours(os.fstat(file.fileno())):
             return file.read()
     return None
+
+
+def is_own(path: Path) -> bool:
+    """Whether a path is an ordinary file, and no link, that only this user (or root) can have written."""
+    try:
+        return _is_ours(path.lstat())
+    except OSError:
+        return False
 
 
 def write_cached(name: str, data: bytes) -> None:

@@ -2,7 +2,7 @@
 
 What it may read besides is what every program needs: the system's programs and libraries, Python, robosmi itself, and the
 simulators of npm. It may write into the folder and into OWN, its temporary data. Compilers and original programs that it
-starts are held to the same (see `landlock`).
+starts are held to the same (see `landlock`), and open no socket (see `seccomp`).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from robosmi import resources
-from robosmi.cli import landlock
+from robosmi.cli import landlock, seccomp
 
 _SYSTEM = ("/usr", "/bin", "/lib", "/lib32", "/lib64", "/libx32", "/opt", "/nix/store", "/gnu/store")
 _SETTINGS = ("/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/alternatives", "/etc/localtime")
@@ -55,6 +55,8 @@ def main(arguments: list[str]) -> int:
     root, own, *words = arguments
     if landlock.version():
         landlock.restrict(allowed(Path(root), Path(own)))
+    if seccomp.is_known():
+        seccomp.deny_sockets()
     from robosmi.cli.main import main as run
 
     sys.argv = ["robosmi", *words]  # as a process of its own: a request to end is taken in order

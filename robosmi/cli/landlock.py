@@ -43,6 +43,8 @@ def version() -> int:
 def restrict(allowed: Iterable[tuple[Path, int]]) -> None:
     """Allow this process, and all that it starts, no more than this, and no connection over TCP.
 
+    From version 6 of the interface on also no abstract socket and no signal to others.
+
     Args:
         allowed: files and folders with the rights over what is in them; what is not there is passed over.
 
@@ -55,7 +57,8 @@ def restrict(allowed: Iterable[tuple[Path, int]]) -> None:
     library = ctypes.CDLL(None, use_errno=True)
     known = (1 << _LAST_OF_VERSION.get(number, 15) + 1) - 1
     network = 3 if number >= 4 else 0  # bind and connect
-    attributes = struct.pack("=QQ", known, network) if number >= 4 else struct.pack("=Q", known)
+    scoped = 3 if number >= 6 else 0  # abstract sockets, and signals to processes that are not confined alike
+    attributes = struct.pack("=QQQ", known, network, scoped)[: 8 if number < 4 else 16 if number < 6 else 24]
     ruleset = library.syscall(_CREATE, attributes, len(attributes), 0)
     if ruleset < 0:
         raise _refused()

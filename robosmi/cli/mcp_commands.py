@@ -94,13 +94,16 @@ class Commands:
             return refusal(command, "RS970", 70, f"{command} printed no JSON document: {last}", "report this bug")
 
     def _environment(self, own: Path, temporary: str) -> dict[str, str]:
-        """No data of the person's is in it: neither earlier choices nor what was imported, trusted or named by ROBOSMI_PATH."""
+        """No data of the person's is in it: neither earlier choices nor what was imported, trusted or named by ROBOSMI_PATH.
+
+        The cache, which holds programs and code, belongs to the call alone, so that no call runs what an earlier one has left.
+        """
         import robosmi
 
         kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
         package = str(Path(robosmi.__file__).resolve().parents[1])
         return kept | {
-            "HOME": str(own), "ROBOSMI_HOME": str(own / "data"), "XDG_CACHE_HOME": str(own / "cache"), "TMPDIR": temporary,
+            "HOME": str(own), "ROBOSMI_HOME": str(own / "data"), "XDG_CACHE_HOME": f"{temporary}/cache", "TMPDIR": temporary,
             "PYTHONPATH": package, "PYTHONUTF8": "1", "NO_COLOR": "1",
         }  # fmt: skip
 

@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ from mcp.client.stdio import StdioServerParameters, stdio_client
 from mcp_types import jsonrpc_message_adapter
 from pydantic import ValidationError
 
-from robosmi.cli import landlock
+from robosmi.cli import landlock, seccomp
 from robosmi.cli.mcp_commands import Commands
 from robosmi.cli.mcp_tools import Tools, answer_to, make_server
 from robosmi.cli.root_folder import RootFolder
@@ -403,7 +404,7 @@ def test_landlock_holds_a_process_and_what_it_starts(tmp_path: Path) -> None:
     program = """
 import os, subprocess, sys
 from pathlib import Path
-from robosmi.cli import landlock
+from robosmi.cli import landlock, seccomp
 inside, outside = Path(sys.argv[1]), Path(sys.argv[2])
 system = [(Path(name), landlock.RUN) for name in ("/usr", "/lib", "/lib64", "/bin")]
 landlock.restrict([(inside, landlock.WRITE), *system])
@@ -423,6 +424,62 @@ print(done.stdout)
     assert "Permission denied" in done.stdout
     assert SECRET not in done.stdout
     assert (tmp_path / "in" / "a.txt").read_text() == "a"
+
+
+CONFINED = """
+import os, socket, sys
+from robosmi.cli import landlock, seccomp
+landlock.restrict([])
+seccomp.deny_sockets()
+acts = {kind.name: lambda kind=kind: socket.socket(kind, socket.SOCK_DGRAM) for kind in socket.AddressFamily if kind}
+acts["signal"] = lambda: os.kill(os.getppid(), 0)
+for name, act in acts.items():
+    try:
+        act()
+        print("done", name)
+    except PermissionError:
+        print("refused", name)
+"""
+
+
+def test_a_confined_process_makes_no_socket_and_signals_nobody() -> None:
+    require_landlock()
+    if not seccomp.is_known():
+        pytest.skip("no filter of system calls is known for this machine")
+    root = Path(__file__).parents[2]
+    done = subprocess.run([sys.executable, "-c", CONFINED], capture_output=True, text=True, cwd=root, check=False)
+    said = done.stdout.splitlines()
+    assert {"refused AF_UNIX", "refused AF_INET", "refused AF_NETLINK"} <= {*said}, done.stderr
+    assert [each for each in said if each.startswith("done")] == ([] if landlock.version() >= 6 else ["done signal"])
+
+
+def test_a_program_of_another_word_size_makes_no_socket_either(tmp_path: Path) -> None:
+    require_tools("gcc")
+    if not seccomp.is_known():
+        pytest.skip("no filter of system calls is known for this machine")
+    source = tmp_path / "makes_a_socket.c"
+    source.write_text("#include <sys/socket.h>\nint main(void) { return socket(1, 1, 0) < 0 ? 7 : 8; }\n")
+    if subprocess.run(["gcc", "-m32", "-static", str(source), "-o", str(tmp_path / "a")], check=False).returncode:
+        pytest.skip("the compiler makes no programs of 32 bits")
+    program = "import os, sys\nfrom robosmi.cli import seccomp\nseccomp.deny_sockets()\nos.execv(sys.argv[1], sys.argv[1:])"
+    words = [sys.executable, "-c", program, str(tmp_path / "a")]
+    assert subprocess.run([str(tmp_path / "a")], check=False).returncode == 8
+    assert subprocess.run(words, cwd=Path(__file__).parents[2], check=False).returncode == 7
+
+
+@pytest.mark.processes
+def test_no_call_finds_what_another_has_cached(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    own = tmp_path / "own"
+    own.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(own))
+
+    async def talk(call: Call) -> None:
+        assert (await call("migrate", files=["blink.c"], out="out"))["exit_code"] == 0
+        left = [path.relative_to(own).parts for path in own.rglob("*") if path.is_file()]
+        assert all(parts[1] == "data" for parts in left), left
+
+    with Commands(RootFolder(root), 120, confined=bool(landlock.version())) as commands:
+        ask(commands, talk)
 
 
 def test_the_command_says_what_is_missing(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:

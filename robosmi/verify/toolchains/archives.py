@@ -2,7 +2,9 @@
 
 An archive's name contains a digest of everything it is made from, so it is never out of date. It is written to a temporary file
 and moved into place; if two processes make it at once, the first wins, and existing archives never change, so no lock is
-needed. If the cache folder cannot be written, the archive stays in the build folder.
+needed. If the cache folder cannot be written, or has another user's file in its place, the archive stays in the build folder.
+
+What is cached is code that goes onto a board or runs here. It is cached since compiling a core takes ten seconds for each build.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from robosmi import inputs, resources
+from robosmi.base.user_cache import is_own
 
 
 def digest(files: Iterable[Path], *more: object) -> str:
@@ -38,9 +41,9 @@ def files_below(folder: Path) -> list[Path]:
 
 
 def cached(name: str) -> Path | None:
-    """The archive of that name in the cache, or None."""
+    """The archive of that name in the cache, or None; one that another user can have written is none."""
     path = resources.cache_dir() / "archives" / name
-    return path if path.is_file() else None
+    return path if is_own(path) else None
 
 
 def store(archive: Path, name: str) -> Path:
@@ -54,13 +57,14 @@ def store(archive: Path, name: str) -> Path:
     """
     folder = resources.cache_dir() / "archives"
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         with tempfile.TemporaryDirectory(prefix=".new-", dir=folder) as temporary:
             copy = Path(shutil.copy(archive, temporary))
+            copy.chmod(copy.stat().st_mode & ~0o022)
             _place(copy, folder / name)
     except OSError:
         return archive
-    return folder / name
+    return cached(name) or archive
 
 
 def _place(copy: Path, target: Path) -> None:

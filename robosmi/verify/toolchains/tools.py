@@ -19,6 +19,7 @@ from typing import IO, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
+from robosmi.verify.toolchains import process_limits
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.temporary import temporary_folder
@@ -59,7 +60,7 @@ def run(
     environment: Mapping[str, str] | None = None,
     limit_s: float = LIMIT_S,
     stdin: IO[bytes] | None = None,
-    advice: str = "look for an #include or .incbin of a special file, or for macros that expand endlessly",
+    advice: str = "look for an #include or .incbin of a special file, or for macros, templates or arrays that grow endlessly",
 ) -> subprocess.CompletedProcess[str]:
     """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
 
@@ -73,7 +74,8 @@ def run(
 
     Raises:
         MissingToolError: the program cannot be started.
-        VerificationError: it did not end in time. It and what it has started are ended, as after an interruption.
+        VerificationError: it did not end in time, or took more than `process_limits` allow. It and what it has started are
+            ended, as after an interruption.
     """
     with temporary_folder("tool") as place, ExitStack() as stack:
         variables = {**(os.environ if environment is None else environment), "TMPDIR": place}
@@ -85,10 +87,13 @@ def run(
             process = stack.enter_context(ending_with_us(start))
         except OSError as error:
             raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
+        limits = process_limits.limit(process.pid)
         try:
             said, complained = process.communicate(timeout=max(0.01, limit_s))
         except subprocess.TimeoutExpired:
             raise VerificationError(f"'{Path(command[0]).name}' exceeded {limit_s:.0f} s and was stopped", fix=advice) from None
+    if too_much := process_limits.exceeded(limits, process.returncode, complained):
+        raise VerificationError(f"'{Path(command[0]).name}' exceeded {too_much} and was stopped", fix=advice)
     return subprocess.CompletedProcess(command, process.returncode, said, complained)
 
 

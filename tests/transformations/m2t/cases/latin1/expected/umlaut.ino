@@ -9,7 +9,7 @@ int32_t n = 1;  /* Zähler */
 
 // Geschwindigkeit für den Motor: ±5 µs, Größe in °C
 void setup() {
-  print("Übertragung läuft: %d\n", n);
+  print("\334bertragung l\344uft: %d\n", n);
 }
 
 void loop() {
