@@ -45,12 +45,15 @@ def pin_findings(
         place: file and line of the program -> the place in the source.
         sources: path of a unit -> its bytes.
     """
-    checked = follow_pins(program, pin_names(plan))
+    names = pin_names(plan)
+    checked = follow_pins(program, names)
     dropped = _dropped(plan)
     calls = {
         str(use.targetName or use.name): [call for call in use.calls if not dropped(_path(call), int(call.startOffset))]
         for use in plan.adapterUses
     }
+    if any(name in checked.functions and checked.seen[name] < len(known) for name, known in calls.items()):
+        checked = follow_pins(program, names) if program.declare_constants() else checked
     made: list[tuple[Finding, Sequence[ccode.Call]]] = []
     for each in checked.wrong:
         at = place(each.file, each.line)

@@ -80,16 +80,24 @@ class GeneratedProgram:
         own = _OF_CPP if language == "C++" else _OF_C
         named = "".join(f"extern const uint8_t {pin};\n" for pin in sorted(pins)).encode()
         self.texts[f"{_STUB}/{main_header}"] = _TYPES % (b"bool" if language == "C++" else b"_Bool") + own + named
-        flags = (*_LANGUAGE[language], *_FLAGS)
+        self._flags, self._header = (*_LANGUAGE[language], *_FLAGS), f"{_STUB}/{main_header}"
         self.unread: list[str] = []
-        self.units = self._parsed(flags)
+        self.units = self._parsed(self._flags)
+        self._handles = [unit for _, unit in self.units]
+        weakref.finalize(self, _dispose, self._handles)
+
+    def declare_constants(self) -> bool:
+        """Parse again with the constants that the program uses and that only the target's headers have.
+
+        libclang leaves out calls with a name that is not declared. The answer is whether there are such constants.
+        """
         constants = {name for _, unit in self.units for name in _undeclared(unit)}
-        if constants:  # of the target's headers; libclang leaves out calls with a name that is not declared
-            _dispose([unit for _, unit in self.units])
-            declared = "".join(f"extern const int {name};\n" for name in sorted(constants)).encode()
-            self.texts[f"{_STUB}/{main_header}"] += declared
-            self.units = self._parsed(flags)
-        weakref.finalize(self, _dispose, [unit for _, unit in self.units])
+        if constants:
+            self.texts[self._header] += "".join(f"extern const int {name};\n" for name in sorted(constants)).encode()
+            _dispose(self._handles)
+            self.units = self._parsed(self._flags)
+            self._handles[:] = [unit for _, unit in self.units]
+        return bool(constants)
 
     def _parsed(self, flags: Sequence[str]) -> list[tuple[str, int]]:
         virtual = clang.unsaved(self.texts)
