@@ -61,7 +61,8 @@ def _lines(compiled: CompileReport) -> list[str]:
         ("RAM", compiled.ram_bytes, compiled.ram_limit),
     ):
         if used is not None:
-            lines.append(f"  {what}: {used} of {limit} bytes ({100 * used / limit:.0f} %)")
+            share = f" of {limit} bytes ({100 * used / limit:.0f} %)" if limit is not None else " bytes"
+            lines.append(f"  {what}: {used}{share}")
     if compiled.stack is not None:
         lines.append(f"  stack: {_stack(compiled.stack)}")
     lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]

@@ -219,7 +219,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, 
             numbers.setdefault(name, set()).add(place.value)
     shared = {name: sorted(several) for name, several in numbers.items() if len(several) > 1}
     shared |= {name: sorted(several) for name, several in meant.items() if len(several) > 1}
-    named: set[tuple[int, str]] = set()
+    named: set[tuple[int | None, str]] = set()
     for place in places:
         port = found[place.value]
         name = _full_name(place, meant)
