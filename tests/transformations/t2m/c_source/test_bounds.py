@@ -176,7 +176,7 @@ def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
 def test_more_files_than_memory_is_for_are_refused(tmp_path: Path) -> None:
     for number in range(MOST_FILES + 1):
         (tmp_path / f"s{number}.c").write_text(f"int g{number};\n")
-    with pytest.raises(SourceError, match=f"{MOST_FILES + 1} source files.* {MOST_FILES}$") as raised:
+    with pytest.raises(SourceError, match=f"{MOST_FILES + 1} source files.* {MOST_FILES}") as raised:
         read_program(tmp_path)
     assert raised.value.fix
     with pytest.raises(SourceError, match="source files, "):

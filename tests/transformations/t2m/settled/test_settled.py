@@ -76,7 +76,7 @@ def test_a_switch_across_one_contact_ties_the_pin_and_is_no_mapping(
     wires = {"A": ["U1.D2", f"S1.{one}"], "B": ["U1.D3", f"S2.{one}"], "GND": ["U1.GND", f"S1.{same}", f"S2.{other}"]}
     made = hardware(draw(tmp_path, parts, wires))
     assert mapped(made) == {"D3": ["S2"]}
-    assert ["'S1' ties D2" in finding.message for finding in said(made, "RS228")] == [True]
+    assert ["'S1'" in finding.message and "D2" in finding.message for finding in said(made, "RS228")] == [True]
 
 
 @TOOLS
@@ -92,7 +92,7 @@ def test_a_pin_behind_the_other_end_of_a_contact_is_on_its_net(draw: Draw, tmp_p
 def test_a_contact_to_ground_that_nothing_holds_is_said(draw: Draw, tmp_path: Path) -> None:
     parts = {"U1": UNO, "S1": ("SW_PUSH", ["1", "2"], "")}
     made = hardware(draw(tmp_path, parts, {"A": ["U1.D2", "S1.1"], "GND": ["U1.GND", "S1.2"]}))
-    assert ["nothing holds D2" in finding.message for finding in said(made, "RS256")] == [True]
+    assert ["D2" in finding.message for finding in said(made, "RS256")] == [True]
 
 
 @TOOLS
