@@ -117,7 +117,7 @@ def test_what_is_there_by_a_link_is_neither_compared_nor_replaced(where: str, fo
 def test_a_pipe_in_a_files_place_is_told(folder: Path) -> None:
     (folder / "f1" / "a").unlink()
     os.mkfifo(folder / "f1" / "a")
-    with pytest.raises(SourceError, match="no file stands"):
+    with pytest.raises(SourceError, match="in the place of a file"):
         update(folder, {"f1/a": b"new"})
 
 

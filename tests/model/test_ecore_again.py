@@ -26,6 +26,9 @@ NOT_EMF = {
     "ecore_by_place": "EMF knows Ecore by its namespace only",
     "two_files": "EMF knows Ecore by its namespace only",
     "several_refused": "we refuse it",
+    "misspelt": "EMF refuses it",
+    "bare": "EMF refuses a package without a namespace",
+    "odd_names": "EMF refuses a package without a namespace",
     **dict.fromkeys((path.name for path in CASES.glob("refused_*")), "we refuse it"),
 }
 ODD = {
@@ -47,7 +50,7 @@ USED = [
     )
     for folder in ("metamodels", "tests", "docs")
     for path in sorted((ROOT / folder).rglob("*.ecore"))
-    if path.parent.name not in NOT_EMF
+    if not {path.parent.name, path.stem} & NOT_EMF.keys()
 ]
 PUBLIC = ["DateConversionDelegateAnnotation", "Ecore", "EcoreAnnotation", "ExtendedMetaData", "XMLNamespace", "XMLType"]
 
