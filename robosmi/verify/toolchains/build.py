@@ -261,8 +261,6 @@ class Build(Struct):
 
     def _link(self, objects: list[Path], libraries: list[Path], report: CompileReport, keep: Path | None) -> CompileReport:
         core = self.core_archive()
-        if core is not None:
-            core = Path(shutil.copy2(core, self.folder / "core.a"))  # where the recipes of cores expect it
         elf = self.recipes.elf(self.folder, self.sketch.main.stem)
         link = self.recipes.link(elf, objects, libraries, core)
         if (complaint := self._run_all(self.recipes.before_link(elf))) is not None:

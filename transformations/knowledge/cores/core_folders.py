@@ -106,7 +106,7 @@ class ArduinoCore:
         if name.board not in self.board_names:
             known = ", ".join(self.board_names[:8])
             raise UsageError(
-                f"no board is called '{name}'{did_you_mean(name.board, self.board_names)} in the core {self.title}",
+                f"unknown board '{name}'{did_you_mean(name.board, self.board_names)} in the core {self.title}",
                 location=Location(str(self.folder / "boards.txt")), fix=f"use one of its boards, e.g. {known}",
             )  # fmt: skip
         menus: dict[str, dict[str, str]] = {}

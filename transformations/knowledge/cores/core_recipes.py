@@ -193,7 +193,10 @@ class CoreRecipes:
     def link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Command:
         """See `Recipes`."""
         files = " ".join(f'"{path}"' for path in (*objects, *libraries))
-        return self._command("recipe.c.combine.pattern", object_files=files, archive_file_path=str(core or ""))
+        beside = os.path.relpath(core, elf.parent) if core is not None else ""  # recipes name it within the build's folder
+        return self._command(
+            "recipe.c.combine.pattern", object_files=files, archive_file=beside, archive_file_path=str(core or "")
+        )
 
     def size(self, elf: Path) -> Command:
         """See `Recipes`."""
