@@ -122,7 +122,7 @@ def test_pins_that_are_driven_and_read_back_are_compared(change: str, tmp_path: 
     assert (outcome.code, outcome.result["verdict"]) == expected, first
     if from_ms is not None:
         assert first["channel"] == f"P{pin}, as it is driven"
-        assert from_ms <= first["at_ms"] < from_ms + 500
+        assert from_ms - 50 <= first["at_ms"] < from_ms + 500  # the source may be a few steps ahead
 
 
 HIGH_LATER = """#include "simpletools.h"

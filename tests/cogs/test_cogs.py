@@ -200,7 +200,7 @@ def test_interrupts_of_a_drive_count_for_the_stack_of_each_cog(tmp_path: Path) -
     beside = made.models.plan.concurrency
     assert beside is not None
     assert alone is not None
-    said = next(found for each in beside.evidence if (found := re.search(r"interrupts .* take up to (\d+) bytes", each)))
+    said = next(found for each in beside.evidence if (found := re.search(r"interrupts .* up to (\d+) bytes", each)))
     assert beside.stackBytes > alone.stackBytes + int(said[1]) - 20  # blinking takes less than what main_ends does
     compiled = compile_sketch(made.sketch).stack
     assert compiled is not None
