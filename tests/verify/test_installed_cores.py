@@ -12,6 +12,7 @@ from robosmi.errors import MissingToolError, PlatformDataError, RobosmiError, So
 from robosmi.transformations.knowledge.cores.core_folders import BoardName, architectures, find_core, installed_cores
 from robosmi.transformations.knowledge.cores.core_properties import expand, read_properties, split
 from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.compiled_program import compile_into
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
@@ -157,6 +158,36 @@ def test_a_missing_converter_leaves_the_program_and_says_so(home: Path, tmp_path
     assert report.elf is not None
     assert report.hex is None
     assert [finding.rule for finding in report.diagnostics] == ["RS811", "RS812"]
+
+
+def test_a_program_without_a_file_for_the_board_is_kept_all_the_same(home: Path, tmp_path: Path) -> None:
+    platform = installed(home) / "platform.txt"
+    platform.write_text(platform.read_text().replace('"{compiler.path}objcopy"', '"{compiler.path}toy-objcopy"'))
+    require_tools("gcc", "g++", "ar", "size")
+    report = compile_into(SKETCH, "lab:toy:host", into=tmp_path / "build")
+    assert report.elf == tmp_path / "build" / "for_a_core.elf"
+    assert [path["kind"] for path in report.artifacts()] == ["elf", "compilation database"]
+    assert all(Path(path["path"]).is_file() for path in report.artifacts())
+
+
+@pytest.mark.parametrize(
+    ("left_out", "ram", "file"), [("recipe.size.regex.data=", False, ".bin"), ("recipe.output.tmp_file=", True, "")]
+)
+def test_what_a_core_does_not_say_is_not_made_up(home: Path, tmp_path: Path, left_out: str, ram: bool, file: str) -> None:
+    platform = installed(home) / "platform.txt"
+    lines = platform.read_text().splitlines(keepends=True)
+    platform.write_text("".join(line for line in lines if not line.startswith(left_out)))
+    report = compiled("lab:toy:host", tmp_path)
+    assert report.fits
+    assert (report.ram_bytes is not None) is ram
+    assert (report.hex.suffix if report.hex is not None else "") == file
+
+
+def test_a_tool_that_only_an_argument_names_is_named_when_it_is_missing(home: Path) -> None:
+    platform = installed(home) / "platform.txt"
+    platform.write_text(platform.read_text().replace("-DF_CPU", '"-I{runtime.tools.toy-cmsis.path}/include" -DF_CPU'))
+    with pytest.raises(MissingToolError, match="toy-cmsis"):
+        compiled("lab:toy:host")
 
 
 # ---- where cores are found

@@ -244,10 +244,9 @@ class Build(Struct):
         """
         if not self.recipes.core_folders:
             return None
-        folders = [*self.recipes.core_folders, *self.recipes.board_folders, *self.board.folders]
-        files = [path for folder in folders for path in archives.files_below(folder)]
-        sources = [path for folder in self.recipes.compiled_folders for path in archives.files_below(folder)]
-        sources = [path for path in sources if path.suffix in self.toolchain.suffixes]
+        files = [path for folder in self.recipes.core_folders for path in archives.files_below(folder)]
+        sources = [path for path in files if path.suffix in self.toolchain.suffixes]
+        files += [path for folder in (*self.recipes.board_folders, *self.board.folders) for path in archives.files_below(folder)]
         try:
             return self._archive(self._name("core", files, sources, "core", []), sources, "core", [])
         except _Broken as broken:
@@ -261,7 +260,7 @@ class Build(Struct):
 
     def _link(self, objects: list[Path], libraries: list[Path], report: CompileReport, keep: Path | None) -> CompileReport:
         core = self.core_archive()
-        elf = self.recipes.elf(self.folder, self.sketch.main.stem)
+        elf = self.folder / f"{self.sketch.main.stem}.elf"
         link = self.recipes.link(elf, objects, libraries, core)
         if (complaint := self._run_all(self.recipes.before_link(elf))) is not None:
             return _with(report, [messages.unread("preparing the link", complaint)])
@@ -282,11 +281,11 @@ class Build(Struct):
         if elf.is_file():
             report = replace(report, stack=self._stack(elf))
         if fits:
-            report = _with(report, self._little_ram(ram or 0, report.stack))
+            report = _with(report, self._little_ram(ram, report.stack))
         return self._keep(report, elf, keep) if keep is not None and not overflow else report
 
-    def _measure(self, elf: Path) -> tuple[int, int]:
-        """Flash and RAM in bytes."""
+    def _measure(self, elf: Path) -> tuple[int, int | None]:
+        """Flash and RAM in bytes; None for a RAM that nothing tells."""
         return self.recipes.sizes(self._run(self.recipes.size(elf)).stdout)
 
     def _stack(self, elf: Path) -> StackBound | None:
@@ -297,8 +296,8 @@ class Build(Struct):
         found: StackBound | None = content("query", "stack_bound")(self._run(command).stdout, self.toolchain.architecture)
         return found
 
-    def _little_ram(self, ram: int, stack: StackBound | None) -> list[Finding]:
-        if self.board.ram_bytes is None:
+    def _little_ram(self, ram: int | None, stack: StackBound | None) -> list[Finding]:
+        if ram is None or self.board.ram_bytes is None:
             return []
         percent = 100 * ram // self.board.ram_bytes
         left = self.board.ram_bytes - ram
@@ -318,7 +317,8 @@ class Build(Struct):
         kept = keep / elf.name
         kept.write_bytes(without_relocations(inputs.read_bytes(elf, inputs.MODEL)))
         program = self.recipes.program(elf)
-        return replace(report, elf=kept, hex=Path(shutil.copy2(program, keep)) if program.is_file() else None)
+        made = program != elf and program.is_file()
+        return replace(report, elf=kept, hex=Path(shutil.copy2(program, keep)) if made else None)
 
 
 class _Broken(Exception):

@@ -94,9 +94,12 @@ def compile_into(
             made = hashlib.sha256(program).hexdigest()
             record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes, beyond)
             contents[_record_name(sketch)] = record.to_bytes()
-        if report.elf is not None and report.hex is not None:
-            contents |= {report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT), report.hex.name: program}
-            report = replace(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
+        if report.elf is not None:
+            contents[report.elf.name] = inputs.read_bytes(report.elf, inputs.OUTPUT)
+            report = replace(report, elf=folder / report.elf.name)
+        if report.hex is not None:
+            contents[report.hex.name] = program
+            report = replace(report, hex=folder / report.hex.name)
     _refuse_others(folder, sketch, contents)
     update(folder, contents)
     return replace(report, database=folder / DATABASE)

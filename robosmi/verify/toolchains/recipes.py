@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
+from robosmi.base.data_tables import DataTable
 from robosmi.verify.toolchains.boards import Board
 from robosmi.verify.toolchains.toolchain_data import Toolchain, fill
 from robosmi.verify.toolchains.tools import Installed
@@ -23,9 +24,8 @@ class Recipes(Protocol):
         title: compiler and core with their versions.
         core, core_title: the core's folder; its name with its version.
         environment: of the commands.
-        core_folders: the folders of the core that its archive and every library depend on; none if there is nothing to compile.
-        compiled_folders: those of which the archive of the core is made.
-        board_folders: further folders that the archive depends on.
+        core_folders: the folders with the core's sources, which every library depends on; none if there is nothing to compile.
+        board_folders: further folders that the archive of the core depends on.
         unconverted: why `convert` makes no file for the board; None where it does.
     """
 
@@ -34,7 +34,6 @@ class Recipes(Protocol):
     core_title: str
     environment: Mapping[str, str]
     core_folders: Sequence[Path]
-    compiled_folders: Sequence[Path]
     board_folders: Sequence[Path]
     unconverted: str | None
 
@@ -65,9 +64,6 @@ class Recipes(Protocol):
     def archive(self, archive: Path, objects: Sequence[Path]) -> Iterable[Command]:
         """Make an archive of objects."""
 
-    def elf(self, folder: Path, name: str) -> Path:
-        """Where the linked program lies."""
-
     def before_link(self, elf: Path) -> Iterable[Command]:
         """What goes before the link."""
 
@@ -77,8 +73,8 @@ class Recipes(Protocol):
     def size(self, elf: Path) -> Command:
         """Print the sizes of a program's sections."""
 
-    def sizes(self, printed: str) -> tuple[int, int]:
-        """Flash and RAM in bytes, from what `size` prints."""
+    def sizes(self, printed: str) -> tuple[int, int | None]:
+        """Flash and RAM in bytes, from what `size` prints; None for a RAM that nothing tells."""
 
     def disassemble(self, elf: Path) -> Command | None:
         """Print the program's code for the stack bound, or None if there is no analysis for it."""
@@ -87,7 +83,7 @@ class Recipes(Protocol):
         """Make the file that a board takes."""
 
     def program(self, elf: Path) -> Path:
-        """The file that `convert` makes."""
+        """The file that `convert` makes; the linked program where it makes none."""
 
 
 class InstalledBoard(NamedTuple):
@@ -126,7 +122,6 @@ class DataRecipes:
         self.core_folders: Sequence[Path] = (
             [installed.core / toolchain.core.text("sources")] if "sources" in toolchain.core.values else []
         )
-        self.compiled_folders: Sequence[Path] = self.core_folders
         self.board_folders: Sequence[Path] = [
             installed.core / text for text in fill(toolchain.core.texts("board_files"), board.fill())
         ]
@@ -155,15 +150,17 @@ class DataRecipes:
         flags = fill(texts, values, {"extra_flags": self._board.extra_flags})
         return [self._installed.commands[language.tool], *flags, *(f"-I{path}" for path in includes)]
 
+    def _tool(self, data: DataTable, values: Mapping[str, str], lists: Mapping[str, list[str]] | None = None) -> Command:
+        """The tool that a table names, with the table's arguments."""
+        return [self._installed.commands[self._toolchain.tool(data).key], *fill(data.texts("arguments"), values, lists)]
+
+    def _values(self, elf: Path) -> dict[str, str]:
+        return self._board.fill() | {"elf": str(elf), "hex": str(self.program(elf))}
+
     def archive(self, archive: Path, objects: Sequence[Path]) -> Iterable[Command]:
         """See `Recipes`."""
-        data = self._toolchain.archive
-        arguments = fill(data.texts("arguments"), {"archive": str(archive)}, {"objects": [str(path) for path in objects]})
-        return [[self._installed.commands[self._toolchain.tool(data).key], *arguments]]
-
-    def elf(self, folder: Path, name: str) -> Path:
-        """See `Recipes`."""
-        return folder / f"{name}.elf"
+        files = {"objects": [str(path) for path in objects]}
+        return [self._tool(self._toolchain.archive, {"archive": str(archive)}, files)]
 
     def before_link(self, elf: Path) -> Iterable[Command]:
         """See `Recipes`."""
@@ -171,18 +168,13 @@ class DataRecipes:
 
     def link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Command:
         """See `Recipes`."""
-        data = self._toolchain.link
         values = self._values(elf) | ({"core_archive": str(core)} if core is not None else {})
-        lists = {"objects": [str(path) for path in objects], "libraries": [str(path) for path in libraries]}
-        return [self._installed.commands[self._toolchain.tool(data).key], *fill(data.texts("arguments"), values, lists)]
-
-    def _values(self, elf: Path) -> dict[str, str]:
-        return self._board.fill() | {"elf": str(elf), "hex": str(self.program(elf))}
+        files = {"objects": [str(path) for path in objects], "libraries": [str(path) for path in libraries]}
+        return self._tool(self._toolchain.link, values, files)
 
     def size(self, elf: Path) -> Command:
         """See `Recipes`."""
-        data = self._toolchain.size
-        return [self._installed.commands[self._toolchain.tool(data).key], *fill(data.texts("arguments"), self._values(elf))]
+        return self._tool(self._toolchain.size, self._values(elf))
 
     def sizes(self, printed: str) -> tuple[int, int]:
         """See `Recipes`: the sums of the sections that the data names."""
@@ -194,14 +186,11 @@ class DataRecipes:
     def disassemble(self, elf: Path) -> Command | None:
         """See `Recipes`."""
         data = self._toolchain.stack
-        if not data.values:
-            return None
-        return [self._installed.commands[self._toolchain.tool(data).key], *fill(data.texts("arguments"), self._values(elf))]
+        return self._tool(data, self._values(elf)) if data.values else None
 
     def convert(self, elf: Path) -> Iterable[Command]:
         """See `Recipes`."""
-        data = self._toolchain.hex
-        return [[self._installed.commands[self._toolchain.tool(data).key], *fill(data.texts("arguments"), self._values(elf))]]
+        return [self._tool(self._toolchain.hex, self._values(elf))]
 
     def program(self, elf: Path) -> Path:
         """See `Recipes`."""

@@ -73,38 +73,39 @@ class CoreRecipes:
         if variant and Path(variant).is_dir():
             folders.append(Path(variant))
         self.core_folders: Sequence[Path] = folders
-        self.compiled_folders: Sequence[Path] = folders
         self.board_folders: Sequence[Path] = ()
-        compiler = self._program("recipe.cpp.o.pattern")
+        compiler = self._compiler(Path("x.cpp"), Path("x.o"), ())[0]
         self.title = f"{Path(compiler).stem} {tool_version(compiler, ['-dumpfullversion', '-dumpversion'])}, {core.title}"
 
     # ---- recipes
 
-    def _text(self, key: str, **more: str) -> str:
-        values = self._properties | {name.replace("__", "."): value for name, value in more.items()}
+    def _text(self, key: str, more: Mapping[str, str] = {}) -> str:
+        """A property of the core, expanded with some more properties."""
         text = self._properties.get(key)
         if text is None:
             raise PlatformDataError(
                 f"the core {self.core_title} has no '{key}'", location=Location(str(self.core / "platform.txt")),
                 fix="install the core again, or another version",
             )  # fmt: skip
-        return expand(text, values)
+        return expand(text, {**self._properties, **more})
 
-    def _command(self, key: str, **more: str) -> Command:
-        """A recipe's command, with its program found on this machine."""
-        words = split(self._text(key, **more))
-        if not words:
-            return []
-        for word in words[1:]:
-            if unknown := [name for name in unknown_names(word) if not name.startswith("runtime.tools.")]:
-                raise PlatformDataError(
-                    f"'{key}' of the core {self.core_title} names '{{{unknown[0]}}}', which nothing defines",
-                    location=Location(str(self.core / "platform.txt")), fix="install the core again, or another version",
-                )  # fmt: skip
-        return [self._found(words[0]), *words[1:]]
+    def _command(self, key: str, more: Mapping[str, str] = {}) -> Command:
+        """A recipe's command, with its program found on this machine; empty if the recipe is."""
+        program, *words = split(self._text(key, more)) or [""]
+        for name in (name for word in words for name in unknown_names(word)):
+            if name.startswith("runtime.tools."):
+                raise self._missing(name.removeprefix("runtime.tools.").removesuffix(".path"))
+            raise PlatformDataError(
+                f"'{key}' of the core {self.core_title} names '{{{name}}}', which nothing defines",
+                location=Location(str(self.core / "platform.txt")), fix="install the core again, or another version",
+            )  # fmt: skip
+        return [self._found(program), *words] if program else []
 
-    def _program(self, key: str) -> str:
-        return self._command(key, includes="", source_file="", object_file="")[0]
+    def _missing(self, tool: str) -> MissingToolError:
+        return MissingToolError(
+            f"'{tool}', which the core {self.core_title} is built with, is not installed",
+            fix=f"install the core's tools: arduino-cli core install {self._core.vendor or 'VENDOR'}:{self._core.architecture}",
+        )
 
     def _found(self, program: str) -> str:
         """The path of a recipe's program: where the recipe says, else the program of that name on PATH."""
@@ -115,10 +116,7 @@ class CoreRecipes:
             return sys.executable
         if found := shutil.which(plain):
             return found
-        raise MissingToolError(
-            f"'{plain}', which the core {self.core_title} is built with, is not installed",
-            fix=f"install the core's tools: arduino-cli core install {self._core.vendor or 'VENDOR'}:{self._core.architecture}",
-        )
+        raise self._missing(plain)
 
     def _hooks(self, name: str) -> Iterable[Command]:
         start, end = f"recipe.hooks.{name}.", "pattern"
@@ -154,7 +152,7 @@ class CoreRecipes:
     def _compiler(self, source: Path, target: Path, includes: Sequence[Path]) -> Command:
         folders = " ".join(f'"-I{path}"' for path in (*self.core_folders, *includes))
         key = f"recipe.{_LANGUAGES.get(source.suffix, 'cpp')}.o.pattern"
-        return self._command(key, includes=folders, source_file=str(source), object_file=str(target))
+        return self._command(key, {"includes": folders, "source_file": str(source), "object_file": str(target)})
 
     def scan(self, source: Path, use: str, includes: Sequence[Path]) -> Command:
         """See `Recipes`."""
@@ -173,18 +171,12 @@ class CoreRecipes:
     def archive(self, archive: Path, objects: Sequence[Path]) -> Iterable[Command]:
         """See `Recipes`: all objects by one command, where the recipe has the object as an argument of its own."""
         mark = "object-of-the-archive"
-        command = self._command(
-            "recipe.ar.pattern", archive_file_path=str(archive), archive_file=archive.name, object_file=mark,
-            build__path=str(archive.parent),
-        )  # fmt: skip
+        places = {"build.path": str(archive.parent), "archive_file": archive.name, "archive_file_path": str(archive)}
+        command = self._command("recipe.ar.pattern", {**places, "object_file": mark})
         if mark in command:
             at = command.index(mark)
             return [[*command[:at], *(str(path) for path in objects), *command[at + 1 :]]]
         return [[word.replace(mark, str(path)) for word in command] for path in objects]
-
-    def elf(self, folder: Path, name: str) -> Path:
-        """See `Recipes`."""
-        return folder / f"{name}.elf"
 
     def before_link(self, elf: Path) -> Iterable[Command]:
         """See `Recipes`."""
@@ -194,24 +186,22 @@ class CoreRecipes:
         """See `Recipes`."""
         files = " ".join(f'"{path}"' for path in (*objects, *libraries))
         beside = os.path.relpath(core, elf.parent) if core is not None else ""  # recipes name it within the build's folder
-        return self._command(
-            "recipe.c.combine.pattern", object_files=files, archive_file=beside, archive_file_path=str(core or "")
-        )
+        archive = {"archive_file": beside, "archive_file_path": str(core or "")}
+        return self._command("recipe.c.combine.pattern", {**archive, "object_files": files})
 
     def size(self, elf: Path) -> Command:
         """See `Recipes`."""
         return self._command("recipe.size.pattern")
 
-    def sizes(self, printed: str) -> tuple[int, int]:
+    def sizes(self, printed: str) -> tuple[int, int | None]:
         """See `Recipes`: the sums of what the core's two regular expressions find."""
-        flash, ram = (self._sum(key, printed) for key in ("recipe.size.regex", "recipe.size.regex.data"))
-        return flash, ram
+        data = "recipe.size.regex.data"
+        return self._sum("recipe.size.regex", printed), self._sum(data, printed) if self._properties.get(data) else None
 
     def _sum(self, key: str, printed: str) -> int:
-        """The sum of the numbers that a regular expression of the core finds; 0 if the core has none."""
-        pattern = self._properties.get(key)
+        """The sum of the numbers that a regular expression of the core finds."""
         try:
-            return sum(int(number) for number in re.findall(pattern, printed, re.MULTILINE)) if pattern else 0
+            return sum(int(number) for number in re.findall(self._text(key), printed, re.MULTILINE))
         except (re.error, TypeError, ValueError) as error:  # no pattern, or not one group with a number
             raise PlatformDataError(
                 f"'{key}' of the core {self.core_title} finds no sizes: {error}",

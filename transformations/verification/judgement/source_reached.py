@@ -62,7 +62,8 @@ def cover(
     assert plan.program is not None
     dead = unreachable_functions(plan.program.units)
     covered = coverage(program, decided)
-    dead = {place: text for place, text in dead.items() if not _ran(covered, place)}  # the compiler knows better
+    ran = {(Path(file).name, name) for (file, line), name in covered.functions.items() if covered.lines[file, line]}
+    dead = {place: text for place, text in dead.items() if place not in ran}  # called in a way that the model does not show
     verdict.unreachable = sorted(dead.values())
     dead_lines = {(Path(file).name, line) for (file, line), name in covered.functions.items() if (Path(file).name, name) in dead}
     verdict.outputs = compared_outputs(verdict, ports, dead_lines)
@@ -77,12 +78,6 @@ def cover(
     verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
     verdict.missed_lines = line_ranges({place for place, count in covered.lines.items() if not count}, covered.lines)
     verdict.untaken = [f"{Path(file).name}:{line}" for file, line, _ in missed if covered.lines.get((file, line))]
-
-
-def _ran(covered: SourceCoverage, function: tuple[str, str]) -> bool:
-    """Whether a run has reached a function, called in a way that the model of the program does not show."""
-    lines = (place for place, name in covered.functions.items() if (Path(place[0]).name, name) == function)
-    return any(covered.lines[place] for place in lines)
 
 
 def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalProgram, ports: Sequence[BoundPort]) -> bytes:
