@@ -7,6 +7,7 @@ core, variant or tool"); Arduino CLI's documentation (`directories.data`, `direc
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from functools import cached_property
 from pathlib import Path
@@ -26,6 +27,9 @@ USER_FOLDERS = ("~/Arduino", "~/Documents/Arduino")
 SYSTEM_FOLDERS = ("/usr/share/arduino",)
 
 
+_WORD = re.compile(r"[.-]*\w[\w.-]*", re.ASCII)
+
+
 class BoardName(NamedTuple):
     """A fully qualified board name: `VENDOR:ARCHITECTURE:BOARD[:MENU=OPTION[,MENU=OPTION...]]`."""
 
@@ -42,10 +46,12 @@ class BoardName(NamedTuple):
             UsageError: it is none.
         """
         parts = text.split(":")
+        named = all(_WORD.fullmatch(part) for part in parts[:3])  # the names of folders are made of them
         options = [option.partition("=") for option in parts[3].split(",") if option] if len(parts) == 4 else []
-        if len(parts) not in (3, 4) or not all(parts[:3]) or not all(menu and equals for menu, equals, _ in options):
+        if len(parts) not in (3, 4) or not named or not all(menu and equals for menu, equals, _ in options):
             raise UsageError(
-                f"'{text}' is no full name of a board", fix="write VENDOR:ARCHITECTURE:BOARD, or with :MENU=OPTION,MENU=OPTION"
+                f"'{text}' is not the full name of a board",
+                fix="write VENDOR:ARCHITECTURE:BOARD, or with :MENU=OPTION,MENU=OPTION",
             )
         return cls(parts[0], parts[1], parts[2], tuple((menu, option) for menu, _, option in options))
 
@@ -121,9 +127,10 @@ class ArduinoCore:
                 what = f"the menu '{menu}' of '{name.board}'" if known_here else f"'{name.board}'"
                 wrong, among = (option, list(known_here)) if known_here else (menu, list(menus))
                 kind = "option" if known_here else "menu"
+                fix = f"use one of: {', '.join(among)}" if among else "leave the options out"
                 raise UsageError(
                     f"'{name}': {what} has no {kind} '{wrong}'{did_you_mean(wrong, among)}",
-                    location=Location(str(self.folder / "boards.txt")), fix=f"use one of: {', '.join(among) or 'it has none'}",
+                    location=Location(str(self.folder / "boards.txt")), fix=fix,
                 )  # fmt: skip
         result = {key: value for key, value in found.items() if not key.startswith("menu.")}
         for menu, options in menus.items():
