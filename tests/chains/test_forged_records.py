@@ -140,7 +140,7 @@ def test_records_and_settings_that_are_no_files_are_refused(
     if (kind, name) == ("link", "robosmi.toml"):
         assert load_project(path.parent).path == path, "settings may be a link"
         return
-    with pytest.raises((SourceError, StoppedError), match=r"cannot be read|a folder stands") as raised:
+    with pytest.raises((SourceError, StoppedError), match=r"cannot be read|a folder is in the place of a file") as raised:
         robosmi.migrate([line_follower], migrated)
     assert raised.value.fix
     assert raised.value.location is not None
