@@ -112,7 +112,15 @@ def started():
     subprocess.run(["true"], check=True)
 
 
-def test_plain(): pass
+@pytest.fixture(scope="session")
+def browser():
+    process = subprocess.Popen(["sleep", "60"])
+    yield
+    process.terminate()
+    process.wait()
+
+
+def test_with_a_browser(browser): pass
 def test_shown(): subprocess.run(["true"], check=True)
 def test_of_a_fixture(started): pass
 @pytest.mark.processes
@@ -124,6 +132,7 @@ def test_caught():
     try: call[0]()
     except BaseException: pass
 def test_kill_of_nothing(): getattr(os, "kill")(os.getpid(), 0)
+def test_plain(): pass  # the last one, after which the browser ends
 """
 
 
@@ -131,8 +140,8 @@ def test_kill_of_nothing(): getattr(os, "kill")(os.getpid(), 0)
     ("tier", "run"),
     [
         ("check", {"plain", "kill_of_nothing", "unannounced", "caught"}),
-        ("test", {"plain", "kill_of_nothing", "unannounced", "caught", "shown", "of_a_fixture", "marked"}),
-        ("all", {"plain", "kill_of_nothing", "unannounced", "caught", "shown", "of_a_fixture", "marked", "exhaustive"}),
+        ("test", {"plain", "kill_of_nothing", "unannounced", "caught", "shown", "with_a_browser", "of_a_fixture", "marked"}),
+        ("all", {"plain", "kill_of_nothing", "unannounced", "caught", "shown", "with_a_browser", "of_a_fixture", "marked", "exhaustive"}),
     ],
 )
 def test_a_tier_has_its_tests_and_fails_those_that_start_processes_unannounced(tier: str, run: set[str], tmp_path: Path) -> None:
@@ -143,13 +152,13 @@ def test_a_tier_has_its_tests_and_fails_those_that_start_processes_unannounced(t
     done = subprocess.run(
         command, cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True, check=False
     )
-    outcomes = {line.split("::test_")[1].split()[0]: line.split()[0] for line in done.stdout.splitlines() if line[:6] in STATES}
-    assert {name for name, state in outcomes.items() if state == "FAILED"} == {"unannounced", "caught"}
+    outcomes = {line.split("::test_")[1].split()[0]: line.split()[0] for line in done.stdout.splitlines() if line.startswith(STATES)}
+    assert {name for name, state in outcomes.items() if state != "PASSED"} == {"unannounced", "caught"}
     assert outcomes.keys() == run
     assert "starts or kills a process (subprocess.Popen: ['true'])" in done.stdout
 
 
-STATES = ("PASSED", "FAILED")
+STATES = ("PASSED ", "FAILED ", "ERROR ")
 
 
 def test_one_of_each_kind_is_a_sample_and_the_others_are_exhaustive() -> None:

@@ -126,6 +126,11 @@ class Tiers:
         finally:
             self.running = None
 
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_teardown(self) -> None:
+        """Stop watching: here fixtures of a whole module or session may end, with a program that another test needed."""
+        self.running = None
+
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self) -> Iterator[None]:
         """Fail a test whose code has caught the failure, or has met it in another thread."""
