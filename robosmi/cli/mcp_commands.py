@@ -20,8 +20,8 @@ import anyio
 import anyio.abc
 
 from robosmi.base.data_text import as_table, json_of
-from robosmi.cli.supervised import GRACE_S
 from robosmi.cli.root_folder import LONGEST, RootFolder, is_text
+from robosmi.cli.supervised import GRACE_S
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
 from robosmi.report.document import SCHEMA
@@ -115,7 +115,8 @@ class Commands:
         package = str(Path(robosmi.__file__).resolve().parents[1])
         return kept | {
             "HOME": temporary, "ROBOSMI_HOME": str(data), "ROBOSMI_HISTORY": f"{temporary}/history.sqlite",
-            "XDG_CACHE_HOME": f"{temporary}/cache", "TMPDIR": temporary, "PYTHONPATH": package, "PYTHONUTF8": "1", "NO_COLOR": "1",
+            "XDG_CACHE_HOME": f"{temporary}/cache", "TMPDIR": temporary, "PYTHONPATH": package,
+            "PYTHONUTF8": "1", "NO_COLOR": "1",
         }  # fmt: skip
 
     def __enter__(self) -> Commands:
