@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import pairwise
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -75,6 +76,12 @@ _LINE_PART = 0.025
 """By this part serial lines may be faster: an AVR at 16 MHz is 2.1 % too fast at 115200 baud."""
 _GAPS_PART = 0.09
 """Gap between two bytes of a line fed by an interrupt, in byte times: simulators lack the second transmit register."""
+_FULL, _BYTE_US, _FORMATTING_PART = 0.8, 1_100.0, 0.5
+"""A console is always full if its bytes, each as long as the shortest (at most that of 9600 baud), take this part of the time.
+
+The time of everything in such a program is that of printing: of the line on the source, and on the target also of the formatting
+of numbers, which the model of the source does not charge. In one run printing takes longer by the last part.
+"""
 
 _CLOCK_US = 45_000.0
 """By this much, in microseconds, the instant within a second may vary at which a program reads a clock."""
@@ -301,7 +308,10 @@ def run_varied(
     rests = {name: [each] for name, each in observed_rests(nominal.trace, ports, target=False).items()}
     loop = _loop(nominal.trace, ports)
     runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop, rests)
+    full = is_always_full(nominal.trace)
     for variation in _FACTORS if not runs.given_up else ():
+        if full and variation.line_part < 0:
+            variation = replace(variation, line_part=-_FORMATTING_PART)
         chance = random.Random(variation.seed)
         moved = moved_devices(devices, chance) if variation.noise else put_down_anywhere(devices, chance)
         run = _run(program, ports, scenario, moved, until, variation)
@@ -319,6 +329,13 @@ def run_varied(
         return channel_events(run.trace, ports, target=False)
 
     return replace(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
+
+
+def is_always_full(trace: PinTrace) -> bool:
+    """Whether a program prints nearly all the time, so that printing decides when it does anything."""
+    times = [byte.at_us for byte in trace.console]
+    shortest = min((after - before for before, after in pairwise(times) if after > before), default=0.0)
+    return 0 < shortest <= _BYTE_US and len(times) * shortest > _FULL * trace.simulated_us
 
 
 def _run(

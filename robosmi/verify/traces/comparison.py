@@ -227,6 +227,8 @@ def compare(
         lasts = (source[after[0]].at_us - source[own].at_us) / 1000
         theirs_last = (target[after[1]].at_us - target[other].at_us) / 1000
         vague_ms = _vague_ms(source[own], target[other]) + _vague_ms(source[after[0]], target[after[1]])
+        if WAVE in (source[own - 1].kind, source[after[0]].kind):
+            vague_ms += _period_ms(source[own])
         if not _lasts_alike(source[own], source[after[0]], lasts, theirs_last, off[own].duration_ms + vague_ms):
             message = lasts_otherwise(source[own], lasts, theirs_last)
             difference = FirstDifference(source[own].at_us / 1000, channel, message, source[own], target[other])
@@ -286,6 +288,11 @@ def _may_be_beyond(mine: ActivityEvent | None, theirs: ActivityEvent | None, bey
         return extra.at_us / 1000 >= horizon_ms - _tau(extra, beyond_ms)
     near = mine.at_us / 1000 >= horizon_ms - _tau(mine, beyond_ms)
     return near and (not alike(mine, theirs) or max(mine.at_us, theirs.at_us) / 1000 >= horizon_ms)
+
+
+def _period_ms(event: ActivityEvent) -> float:
+    """The period of a wave in milliseconds: between two waves without a gap either may have the period at the change."""
+    return 1000 / float(event.value[0]) if event.kind == WAVE and event.value[0] else 0.0
 
 
 def _vague_ms(own: ActivityEvent, other: ActivityEvent) -> float:
