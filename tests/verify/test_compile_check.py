@@ -308,3 +308,20 @@ def test_the_json_form_is_the_contract_s() -> None:
     wanted = {"ok", "fits", "fits_on", "tool", "flash_bytes", "ram_bytes", "libraries", "diagnostics"}
     assert wanted <= set(report.to_json())
     assert all(meaning for meaning in RULES.values())
+
+
+@needs_tools
+@pytest.mark.parametrize("precompiled", ["x.h.gch", "x.h.gch/c", "y.h.gch"])
+def test_a_precompiled_header_elsewhere_is_refused(tmp_path: Path, precompiled: str) -> None:
+    sketch, headers = tmp_path / "sketch", tmp_path / "headers"
+    for folder in (sketch, headers):
+        folder.mkdir()
+    (sketch / "sketch.ino").write_text("void setup() {}\nvoid loop() {}\n")
+    (sketch / "part.c").write_text('#define NAMED "../headers/x.h"\n#include NAMED\n')
+    (headers / "x.h").write_text('#include "y.h"\n')
+    (headers / "y.h").write_text("int y;\n")
+    assert compile_sketch(sketch, "uno").ok
+    (headers / precompiled).parent.mkdir(exist_ok=True)
+    (headers / precompiled).write_bytes(b"gpch")
+    with pytest.raises(SourceError, match="a precompiled header"):
+        compile_sketch(sketch, "uno")

@@ -49,12 +49,13 @@ from robosmi.verify.toolchains.libraries import (
     CompiledLibrary,
     LibraryFolders,
     missing_headers,
+    read_files,
     resolve,
 )
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import in_parallel
 from robosmi.verify.toolchains.recipes import Recipes
-from robosmi.verify.toolchains.sketch import Sketch, check_plain
+from robosmi.verify.toolchains.sketch import Sketch, check_not_precompiled, check_plain
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.toolchains.tools import run
 
@@ -174,6 +175,7 @@ class Build(Struct):
         owner = next((library for library in libraries if source.is_relative_to(library.include)), None)
         includes = self._own_includes(libraries) if owner is None else self._library_includes(owner, libraries)
         said = self._run(self.recipes.scan(source, "library" if owner else "sketch", includes), self.sketch.folder)
+        check_not_precompiled(self.sketch.folder / name for name in read_files(said.stdout))
         return missing_headers(said.stdout, self.sketch.folder)
 
     def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:

@@ -159,13 +159,21 @@ def resolve(
     return used
 
 
+def read_files(rule: str) -> list[str]:
+    """The files that a make rule names behind its target.
+
+    Args:
+        rule: `x.o: a.h b.h`, as a preprocessor prints the files it read; blanks in names are escaped.
+    """
+    names = re.split(r"(?<!\\)\s+", rule.replace("\\\n", " ").partition(": ")[2].strip())
+    return [name.replace("\\ ", " ").replace("$$", "$").replace("\\#", "#") for name in names if name]
+
+
 def missing_headers(rule: str, cwd: Path) -> list[str]:
     """The headers that a make rule names and that are no files.
 
     Args:
-        rule: `x.o: a.h b.h`, as a preprocessor prints the files it read; blanks in names are escaped.
+        rule: see `read_files`.
         cwd: the folder that relative names are relative to.
     """
-    names = re.split(r"(?<!\\)\s+", rule.replace("\\\n", " ").partition(": ")[2].strip())
-    plain = (name.replace("\\ ", " ").replace("$$", "$").replace("\\#", "#") for name in names if name)
-    return [name for name in plain if not (cwd / name).is_file()]
+    return [name for name in read_files(rule) if not (cwd / name).is_file()]

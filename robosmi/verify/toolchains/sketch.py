@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -154,11 +154,31 @@ def check_plain(folder: Path) -> None:
         SourceError: there is one.
     """
     for path in sorted(folder.rglob("*")):
-        if path.suffix in (".gch", ".pch"):
-            raise SourceError(
-                "a precompiled header lies here, which a compiler would load in the place of the header",
-                location=Location(str(path)), fix="remove it",
-            )  # fmt: skip
+        if path.suffix in _PRECOMPILED:
+            raise _precompiled(path)
+
+
+_PRECOMPILED = (".gch", ".pch")
+
+
+def check_not_precompiled(headers: Iterable[Path]) -> None:
+    """Make sure that none of the headers that a file reads has a precompiled one beside it, wherever it lies.
+
+    Args:
+        headers: the headers.
+
+    Raises:
+        SourceError: one has.
+    """
+    for header in headers:
+        for ending in _PRECOMPILED:
+            if os.path.lexists(path := Path(f"{header}{ending}")):
+                raise _precompiled(path)
+
+
+def _precompiled(path: Path) -> SourceError:
+    message = "a precompiled header lies here, which a compiler would load in the place of the header"
+    return SourceError(message, location=Location(str(path)), fix="remove it")
 
 
 def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
