@@ -469,7 +469,7 @@ def test_a_program_of_another_word_size_makes_no_socket_either(tmp_path: Path) -
     assert subprocess.run(words, cwd=Path(__file__).parents[2], check=False).returncode == 7
 
 
-DETACHED = """
+DETACHED = r"""
 import os, signal, sys, time
 from robosmi.cli.supervised import supervised
 
@@ -478,6 +478,8 @@ def work():
         os.setsid()
         if os.fork() == 0:
             signal.signal(signal.SIGTERM, signal.SIG_IGN)
+            with open("/proc/self/comm", "wb") as name:
+                name.write(b") \xff\x80 (")
             print(os.getpid(), flush=True)
             time.sleep(600)
         os._exit(0)
@@ -491,7 +493,7 @@ sys.exit(supervised(work))
 def is_running(number: int) -> bool:
     """Whether a process is there and no zombie."""
     state = Path(f"/proc/{number}/stat")
-    return state.exists() and state.read_text().rpartition(") ")[2][0] != "Z"
+    return state.exists() and state.read_text(errors="replace").rpartition(") ")[2][0] != "Z"
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Linux knows reapers")

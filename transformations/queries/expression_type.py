@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from weakref import WeakKeyDictionary
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 
@@ -136,14 +138,31 @@ def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
     if use.declaration is not None or kind is None or not words <= _NAMELESS:
         return None
     if isinstance(holder, ccode.Field) and kind is ccode.Enumeration:
-        record = holder.eContainer()
-        same = (d for d in _declared_beside(record) if isinstance(d, ccode.Enumeration) and d.startOffset == holder.startOffset)
-        return next(same, None)
+        return _enumeration_at(holder.eContainer(), int(holder.startOffset))
     if not isinstance(holder, ccode.Variable):
         return None
     beside = _declared_beside(holder)
     found = [d for d in beside if isinstance(d, kind) and not d.name and d.startOffset < holder.endOffset]
     return max(found, key=lambda declared: int(declared.startOffset), default=None)
+
+
+_enumerations: WeakKeyDictionary[Element, tuple[int, dict[int, ccode.Enumeration]]] = WeakKeyDictionary()
+"""What contains declarations -> their number, and the offset of each enumeration among them."""
+
+
+def _enumeration_at(record: Element | None, offset: int) -> ccode.Enumeration | None:
+    around = record.eContainer() if record is not None else None
+    beside = _declared_beside(record)
+    if around is None or not beside:
+        return None
+    known = _enumerations.get(around)
+    if known is None or known[0] != len(beside):
+        found: dict[int, ccode.Enumeration] = {}
+        for declared in beside:
+            if isinstance(declared, ccode.Enumeration):
+                found.setdefault(int(declared.startOffset), declared)
+        known = _enumerations[around] = len(beside), found
+    return known[1].get(offset)
 
 
 def _declared_beside(element: object) -> Sequence[ccode.Declaration]:

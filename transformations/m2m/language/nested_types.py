@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
+from weakref import WeakKeyDictionary
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -71,11 +72,18 @@ def before_record(enumeration: ccode.Enumeration, text: str) -> list[Replacement
     """
     start, end = int(enumeration.startOffset), int(enumeration.endOffset)
     around = enumeration.eContainer()
-    places = [int(d.startOffset) for d in _within(around) if d.startOffset < start and end <= d.endOffset]
-    if isinstance(around, ccode.DeclarationStatement):
-        places.append(int(around.startOffset))
+    assert around is not None
+    if around not in _outermost:
+        _outermost[around] = Innermost((int(d.startOffset) + 1, int(d.endOffset), int(d.startOffset), d) for d in _within(around))
+    holder = around if isinstance(around, ccode.DeclarationStatement) else _outermost[around].at(start)
+    assert holder is not None  # the record
+    place = int(holder.startOffset)
     name = " ".join(text.partition("{")[0].split())
-    return [Replacement(min(places), min(places), f"{text};\n"), Replacement(start, end, f"{name} ")]
+    return [Replacement(place, place, f"{text};\n"), Replacement(start, end, f"{name} ")]
+
+
+_outermost: WeakKeyDictionary[Element, Innermost[int, ccode.Declaration]] = WeakKeyDictionary()
+"""A unit or statement, which does not change any more -> the outermost of its declarations at each place."""
 
 
 RECORDS = frozenset({"struct", "union"})
