@@ -19,7 +19,14 @@ from robosmi.plugins import content
 from robosmi.verify.toolchains.board_check import board_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
-from robosmi.verify.toolchains.compile_report import MISSING_HEADER, NO_BOARD_DATA, OTHER_BOARD, STAND_IN_USED, TOO_BIG, CompileReport
+from robosmi.verify.toolchains.compile_report import (
+    MISSING_HEADER,
+    NO_BOARD_DATA,
+    OTHER_BOARD,
+    STAND_IN_USED,
+    TOO_BIG,
+    CompileReport,
+)
 from robosmi.verify.toolchains.libraries import LibraryFolders
 from robosmi.verify.toolchains.recipes import DataRecipes, InstalledBoard, Recipes
 from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
@@ -99,13 +106,15 @@ def _by_its_core(board: Board, toolchain: Toolchain) -> InstalledBoard:
     if found is None:
         where = Location(str(board.file)) if board.file is not None else None
         message = f"no core builds for '{board.name}', whose processor is of the architecture '{board.architecture}'"
-        raise PlatformDataError(message, location=where, fix="name in the board's file, first of its full names, the one in the core that builds for it")
+        raise PlatformDataError(
+            message,
+            location=where,
+            fix="name in the board's file, first of its full names, the one in the core that builds for it",
+        )
     return found._replace(board=board)
 
 
-def _board_without_data(
-    sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None
-) -> InstalledBoard | None:
+def _board_without_data(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
     """The board of an installed core that is asked for, if it has no data here; else None."""
     given = sketch.project_file
     name = wanted if wanted is not None else given.board if given is not None else None
@@ -125,7 +134,7 @@ def _compiled_by_core(
 ) -> CompileReport:
     """The report for a board that is built by its core's own recipes."""
     toolchain = toolchain._replace(architecture=found.architecture)
-    index = LibraryFolders(toolchain, found.recipes.core, project)
+    index = LibraryFolders(toolchain, found.recipes.core, project, bool(found.stand_in))
     report = _build(sketch, found.board, toolchain, found.recipes, index, keep)
     if report.ok and not report.fits:
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))

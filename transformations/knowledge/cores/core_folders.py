@@ -72,9 +72,7 @@ class ArduinoCore:
         stand_in: whether it takes the place of a core that is not installed, for checks only.
     """
 
-    def __init__(
-        self, folder: Path, vendor: str, architecture: str, packages: Path | None, stand_in: bool = False
-    ) -> None:
+    def __init__(self, folder: Path, vendor: str, architecture: str, packages: Path | None, stand_in: bool = False) -> None:
         self.stand_in = stand_in
         self.folder = folder
         self.vendor = vendor

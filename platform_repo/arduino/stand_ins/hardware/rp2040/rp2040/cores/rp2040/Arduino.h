@@ -14,7 +14,7 @@
 #include "avr/pgmspace.h"
 
 #ifdef __cplusplus
-#include <algorithm>
+#include <initializer_list>
 
 #include "Print.h"
 #include "Printable.h"
@@ -22,8 +22,6 @@
 #include "WCharacter.h"
 #include "WString.h"
 
-using std::max;
-using std::min;
 template <class T, class L> auto min(const T &a, const L &b) -> decltype(b < a ? b : a) { return b < a ? b : a; }
 template <class T, class L> auto max(const T &a, const L &b) -> decltype(b < a ? b : a) { return a < b ? b : a; }
 
