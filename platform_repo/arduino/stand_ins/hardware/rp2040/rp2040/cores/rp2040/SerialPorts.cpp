@@ -4,7 +4,6 @@
 
 #include "registers.h"
 
-SerialUSB Serial;
 SerialUART Serial1(0, PIN_SERIAL1_TX, PIN_SERIAL1_RX), Serial2(1, PIN_SERIAL2_TX, PIN_SERIAL2_RX);
 
 namespace {

@@ -15,7 +15,7 @@ class SerialUSB : public HardwareSerial {
   size_t write(const uint8_t *bytes, size_t count) override;
   using Print::write;
   int availableForWrite() override;
-  void flush() override {}
+  void flush() override;
   bool dtr() { return *this; }
 };
 

@@ -43,7 +43,8 @@ void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
   if (!wave->on) pinMode(pin, OUTPUT);
   wave->pin = pin;
   wave->on = true;
-  wave->halvesLeft = (uint64_t)duration * frequency / 500;
+  uint32_t halves = (uint64_t)duration * frequency / 1000 * 2;
+  wave->halvesLeft = !duration ? 0 : halves ? halves - 1 : 1;  // it ends low
   gpio_put(pin, true);
   add_repeating_timer_us(-(int64_t)((500000 + frequency / 2) / frequency), half, wave, &wave->timer);
 }

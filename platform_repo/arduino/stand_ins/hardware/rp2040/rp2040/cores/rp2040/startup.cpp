@@ -97,6 +97,7 @@ extern "C" void resetHandler() {
   for (uint32_t *to = &bssBegin; to < &bssEnd;) *to++ = 0;
   startClocks();
   startTime();
+  startUsb();
   for (auto construct = initBegin; construct < initEnd; construct++) (*construct)();
   main();
   hang();

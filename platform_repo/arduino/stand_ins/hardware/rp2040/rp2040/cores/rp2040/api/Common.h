@@ -60,6 +60,7 @@ void loop(void);
 void yield(void);
 void initVariant(void);
 void startTime(void);
+void startUsb(void);
 void pinMode(pin_size_t pin, PinMode mode);
 void digitalWrite(pin_size_t pin, PinStatus value);
 PinStatus digitalRead(pin_size_t pin);

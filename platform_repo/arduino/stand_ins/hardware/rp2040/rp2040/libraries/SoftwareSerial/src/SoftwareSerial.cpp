@@ -16,8 +16,9 @@ void SoftwareSerial::begin(unsigned long baud) {
   end();
   bit = 16000000 / baud;
   if (tx < NUM_DIGITAL_PINS) {
-    pinMode(tx, OUTPUT);
-    gpio_put(tx, !invertTx);
+    pinMode(tx, INPUT_PULLUP);
+    gpio_put(tx, !invertTx);  // before it drives: no start bit
+    gpio_set_dir(tx, true);
   }
   if (rx >= NUM_DIGITAL_PINS) return;
   pinMode(rx, INPUT_PULLUP);
@@ -30,6 +31,7 @@ void SoftwareSerial::end() {
 }
 
 void SoftwareSerial::receive() {
+  if (gpio_get(rx) != invertRx) return;  // an edge within the byte before
   uint32_t begun = micros();
   uint8_t byte = 0;
   for (int place = 0; place < 8; place++) {
