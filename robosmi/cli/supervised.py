@@ -16,6 +16,8 @@ from contextlib import suppress
 from pathlib import Path
 from types import FrameType
 
+from robosmi import inputs
+
 _DEATH_SIGNAL, _SUBREAPER = 1, 36  # linux/prctl.h
 GRACE_S = 5.0
 """Seconds that the work has to end in order after it was asked to; then it is killed."""
@@ -87,6 +89,6 @@ def _children() -> Iterator[int]:
     for place in Path("/proc").iterdir():
         if place.name.isdecimal():
             with suppress(OSError):
-                state = (place / "stat").read_text(errors="replace")
+                state = inputs.read_text(place / "stat", inputs.SETTINGS, errors="replace")
                 if int(state.rpartition(")")[2].split()[1]) == os.getpid():  # proc_pid_stat(5): state, number of the parent
                     yield int(place.name)
