@@ -41,7 +41,7 @@ SIZES = {
     "arrays of a named size: migrate": 200,
     "enumerations in structures: migrate": 250,
     "functions that nobody knows: migrate": 200,
-    "functions that call one another: migrate": 80,
+    "functions that call one another: migrate": 250,
     "resistors in a row: svg": 250,
     "resistors in a row: check": 300,
     "lamps on one net: check": 250,
