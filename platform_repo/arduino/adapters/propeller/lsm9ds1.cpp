@@ -651,7 +651,8 @@ inline void imu_keep(uint8_t sensor, int32_t x, int32_t y, int32_t z) {
 //#   for: void imu_setGyroCalibration(int gxBias, int gyBias, int gzBias)
 //#   kind: oneToMany
 //#   needs: imu_state imu_keep
-//#   limit: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
+//#   limit avr: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
+//#   limit other: it is kept in the memory of the board, at the address that is left of the library's within 4 KB
 //#   fidelity: exact: readings are less by it from now on; those of the accelerometer are not any more, as there
 //#   stack: 26 16
 inline void imu_setGyroCalibration(int32_t gxBias, int32_t gyBias, int32_t gzBias) {
@@ -663,7 +664,8 @@ inline void imu_setGyroCalibration(int32_t gxBias, int32_t gyBias, int32_t gzBia
 //#   for: void imu_setAccelCalibration(int axBias, int ayBias, int azBias)
 //#   kind: oneToMany
 //#   needs: imu_state imu_keep
-//#   limit: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
+//#   limit avr: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
+//#   limit other: it is kept in the memory of the board, at the address that is left of the library's within 4 KB
 //#   fidelity: exact: readings are less by it from now on
 //#   stack: 28 16
 inline void imu_setAccelCalibration(int32_t axBias, int32_t ayBias, int32_t azBias) {
@@ -675,7 +677,8 @@ inline void imu_setAccelCalibration(int32_t axBias, int32_t ayBias, int32_t azBi
 //#   for: void imu_setMagCalibration(int mxBias, int myBias, int mzBias)
 //#   kind: oneToMany
 //#   needs: imu_state imu_keep imu_SPIwriteByte OFFSET_X_REG_L_M OFFSET_X_REG_H_M
-//#   limit: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
+//#   limit avr: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
+//#   limit other: it is kept in the memory of the board, at the address that is left of the library's within 4 KB
 //#   fidelity: exact: the sensor takes it off
 //#   stack: 124 106
 inline void imu_setMagCalibration(int32_t mxBias, int32_t myBias, int32_t mzBias) {

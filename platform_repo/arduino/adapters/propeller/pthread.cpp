@@ -2,7 +2,6 @@
 // POSIX threads. Read from propgcc b280e7a77, lib/include/pthread.h and lib/pthread. Each thread is a cog here, with a stack of its own.
 
 //# helper Thread
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: what is known of a thread as long as nobody joined it
 struct Thread {
   void *(*code)(void *);
@@ -12,7 +11,6 @@ struct Thread {
 };
 
 //# helper threads
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: Thread propeller.h/COG_SLOTS
 //#   fidelity: the thread of each cog; 0 is main
 //#   ram: 30
@@ -21,9 +19,26 @@ static Thread threads[COG_SLOTS + 1];
 //# type pthread_t
 //#   needs: Thread
 //#   fidelity: a handle, as there
+#define pthread_t own_pthread_t  // the C library of this target has another type of the name
+typedef Thread *pthread_t;
+
+//# type pthread_t
+//#   architecture: avr
+//#   needs: Thread
+//#   fidelity: a handle, as there
 typedef Thread *pthread_t;
 
 //# type pthread_attr_t
+//#   fidelity: the size of a stack is kept and not used
+#define pthread_attr_t own_pthread_attr_t  // the C library of this target has another type of the name
+struct pthread_attr_t {
+  uint32_t stksiz;
+  void *stack;
+  uint32_t flags;
+};
+
+//# type pthread_attr_t
+//#   architecture: avr
 //#   fidelity: the size of a stack is kept and not used
 struct pthread_attr_t {
   uint32_t stksiz;
@@ -33,9 +48,24 @@ struct pthread_attr_t {
 
 //# type pthread_mutexattr_t
 //#   fidelity: exact
+#define pthread_mutexattr_t own_pthread_mutexattr_t  // the C library of this target has another type of the name
+typedef int32_t pthread_mutexattr_t;
+
+//# type pthread_mutexattr_t
+//#   architecture: avr
+//#   fidelity: exact
 typedef int32_t pthread_mutexattr_t;
 
 //# type pthread_mutex_t
+//#   fidelity: locked or not
+#define pthread_mutex_t own_pthread_mutex_t  // the C library of this target has another type of the name
+struct pthread_mutex_t {
+  uint8_t locked;
+  uint8_t unused;
+};
+
+//# type pthread_mutex_t
+//#   architecture: avr
 //#   fidelity: locked or not
 struct pthread_mutex_t {
   uint8_t locked;
@@ -44,9 +74,24 @@ struct pthread_mutex_t {
 
 //# type pthread_condattr_t
 //#   fidelity: exact
+#define pthread_condattr_t own_pthread_condattr_t  // the C library of this target has another type of the name
+typedef int32_t pthread_condattr_t;
+
+//# type pthread_condattr_t
+//#   architecture: avr
+//#   fidelity: exact
 typedef int32_t pthread_condattr_t;
 
 //# type pthread_cond_t
+//#   fidelity: how many wait, and how many of them may go on
+#define pthread_cond_t own_pthread_cond_t  // the C library of this target has another type of the name
+struct pthread_cond_t {
+  uint8_t waiting;
+  uint8_t woken;
+};
+
+//# type pthread_cond_t
+//#   architecture: avr
 //#   fidelity: how many wait, and how many of them may go on
 struct pthread_cond_t {
   uint8_t waiting;
@@ -54,6 +99,12 @@ struct pthread_cond_t {
 };
 
 //# type pthread_key_t
+//#   fidelity: exact
+#define pthread_key_t own_pthread_key_t  // the C library of this target has another type of the name
+typedef uint8_t pthread_key_t;
+
+//# type pthread_key_t
+//#   architecture: avr
 //#   fidelity: exact
 typedef uint8_t pthread_key_t;
 
@@ -64,9 +115,11 @@ typedef uint8_t pthread_key_t;
 #define PTHREAD_STACK_MIN 64L
 
 //# constant PTHREAD_CREATE_JOINABLE
+#undef PTHREAD_CREATE_JOINABLE
 #define PTHREAD_CREATE_JOINABLE 0
 
 //# constant PTHREAD_CREATE_DETACHED
+#undef PTHREAD_CREATE_DETACHED
 #define PTHREAD_CREATE_DETACHED 1
 
 //# adapter pthread_attr_init
@@ -115,7 +168,6 @@ inline int32_t pthread_attr_setdetachstate(pthread_attr_t *attr, int32_t detachs
 }
 
 //# helper thread_end
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: threads propeller.h/cog_table propeller.h/cog_stop Thread
 //#   fidelity: what the thread gave back is kept for the one that joins it
 inline void thread_end(void *value) {
@@ -127,7 +179,6 @@ inline void thread_end(void *value) {
 }
 
 //# helper thread_main
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: thread_end propeller.h/cog_table Thread threads
 //#   fidelity: a thread ends with what its function gives back
 inline void thread_main(void *) {
@@ -137,7 +188,6 @@ inline void thread_main(void *) {
 
 //# adapter pthread_create
 //#   for: int pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(startfunc)(void *), void *arg)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin propeller.h/COG_SLOTS Thread
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
@@ -155,7 +205,6 @@ inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, voi
 
 //# adapter pthread_exit
 //#   for: void pthread_exit(void *value)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: thread_end
 //#   fidelity: exact
@@ -166,7 +215,6 @@ inline void pthread_exit(void *value) {
 
 //# adapter pthread_join
 //#   for: int pthread_join(pthread_t thread, void **result_ptr)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t propeller.h/yield Thread
 //#   fidelity: exact; 22 (EINVAL) for a thread that is detached
@@ -181,7 +229,6 @@ inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
 
 //# adapter pthread_detach
 //#   for: int pthread_detach(pthread_t thread)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t Thread
 //#   fidelity: exact
@@ -194,7 +241,6 @@ inline int32_t pthread_detach(pthread_t thread) {
 
 //# adapter pthread_self
 //#   for: pthread_t pthread_self(void)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t threads propeller.h/cog_table
 //#   fidelity: exact
@@ -205,7 +251,6 @@ inline pthread_t pthread_self() {
 
 //# adapter pthread_yield
 //#   for: void pthread_yield(void)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   needs: propeller.h/yield
 //#   fidelity: exact
