@@ -12,8 +12,14 @@ import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
+from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
-from tests.adapters.bench import ROOT, pieces
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.simulation import PinTrace, simulate
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from tests.adapters.bench import NO_PIN, ROOT, pieces
 from tests.adapters.test_files import KEYS, STAND_INS, program
 
 CORE = ROOT / "platform_repo" / "arduino" / "stand_ins" / "hardware" / "rp2040" / "rp2040"
@@ -43,6 +49,21 @@ def said(wanted: Iterable[tuple[str, str]], folder: Path) -> str:
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
     lines = (line for line in done.stderr.splitlines() if line.startswith("adapters.cpp:") or "error" in line)
     return "\n".join([*dict.fromkeys(needed.unserved.values()), *lines])
+
+
+def run(uses: Iterable[str], program_text: str, milliseconds: float, folder: Path) -> PinTrace:
+    """Compile a program that calls adapters (`header/name`) for the Pico, run it on a simulated one, and tell what was seen."""
+    known = AdapterPieces(pieces(), architecture="rp2040")
+    needed = known.needed([(header, name) for header, name in (use.rsplit("/", 1) for use in uses)], "rp2040")
+    assert not needed.unserved
+    text = adapter_text([adapter_element(piece) for piece in needed.pieces], {}, NO_PIN)
+    sketch = folder / "case"
+    sketch.mkdir()
+    (sketch / "case.ino").write_text(f"#include <Arduino.h>\n{text}\n{program_text}")
+    report = compile_sketch(sketch, "pico", keep=folder)
+    assert report.ok, report.diagnostics
+    assert report.elf is not None
+    return simulate(job(report.elf, report.elf, load_board("pico"), milliseconds * 1000, []))
 
 
 def main(only: str = "") -> int:
