@@ -88,6 +88,7 @@ fuzz: $(VENV)/.ready
 
 adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone
+	$(BIN)/python -m tests.adapters.pico
 	$(BIN)/python -m tests.adapters.boards
 	$(BIN)/python -m tests.adapters.mutants
 	$(BIN)/python -m tests.families

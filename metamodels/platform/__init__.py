@@ -616,6 +616,16 @@ class BoardMapping(Element, metaclass=MetaEClass):
     """Version of the core that the board is of, where that is not the platform's; empty where it is, or is unknown."""
     platformioId: str = EAttribute(eType=EString, default_value="")
     """Name of the board in PlatformIO, empty where it knows none."""
+    platformioPlatform: str = EAttribute(eType=EString, default_value="")
+    """What PlatformIO calls the platform of the board, empty where that is the usual one."""
+    platformioSettings: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
+    """Further lines of the board in the settings of PlatformIO."""
+    coreIndex: str = EAttribute(eType=EString, default_value="")
+    """Where tools find the core that the board is of, empty where they know it."""
     pinNames: MutableSequence[PinName] = EReference(upper=-1, containment=True)
     """How programs of the platform call the pins."""
 
@@ -634,6 +644,9 @@ class BoardMapping(Element, metaclass=MetaEClass):
             ramBytes: int | None = None,
             coreVersion: str | None = None,
             platformioId: str | None = None,
+            platformioPlatform: str | None = None,
+            platformioSettings: Iterable[str] | None = None,
+            coreIndex: str | None = None,
             pinNames: Iterable[PinName] | None = None,
         ) -> None: ...
 
@@ -768,6 +781,8 @@ class Microcontroller(Element, metaclass=MetaEClass):
     """Most that one pin bears, in mA."""
     totalMilliamperes: int = EAttribute(eType=EInt)
     """Most that its supply pins bear, in mA."""
+    pinVolts: float = EAttribute(eType=EDouble)
+    """The greatest voltage in volts that a pin bears, 0 if it is not known."""
     timers: MutableSequence[Timer] = EReference(upper=-1, containment=True)
     """Its timers."""
     buses: MutableSequence[PinBus] = EReference(upper=-1, containment=True)
@@ -788,6 +803,7 @@ class Microcontroller(Element, metaclass=MetaEClass):
             signature: str | None = None,
             pinMilliamperes: int | None = None,
             totalMilliamperes: int | None = None,
+            pinVolts: float | None = None,
             timers: Iterable[Timer] | None = None,
             buses: Iterable[PinBus] | None = None,
             uses: Iterable[ResourceUse] | None = None,
@@ -945,6 +961,8 @@ class Pin(Element, metaclass=MetaEClass):
     """Output of that timer."""
     reserved: str = EAttribute(eType=EString, default_value="")
     """What it is reserved for, empty for nothing."""
+    bearsVolts: float = EAttribute(eType=EDouble)
+    """The greatest voltage in volts that this pin bears, if it differs from the microcontroller's; else 0."""
 
     if TYPE_CHECKING:
 
@@ -959,6 +977,7 @@ class Pin(Element, metaclass=MetaEClass):
             timer: str | None = None,
             channel: str | None = None,
             reserved: str | None = None,
+            bearsVolts: float | None = None,
         ) -> None: ...
 
 

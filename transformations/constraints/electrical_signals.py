@@ -173,6 +173,41 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
     return True
 
 
+@devices.constraint(
+    id="RS258", location=drawing,
+    advice="feed the part with the board's own voltage if it works there, or lead the output through a level shifter or a "
+    "voltage divider: 10 kilo-ohms to the pin, 18 kilo-ohms from the pin to ground for 5 V on a pin for 3.3 V",
+)  # fmt: skip
+def IsBorneByThePin(c: hardware.Component) -> bool | Fail:
+    """No device puts a higher voltage on a pin than the pin bears."""
+    w = wiring_of(c)
+    fed = max((volts for _, net in w.nets(c) if (volts := w.volts(net)) is not None), default=0.0)
+    for p in w.board_pins(c, through=False):
+        model = w.board_model(p.board)
+        chip = model.microcontroller if model is not None else None
+        bears = (p.pin.bearsVolts if p.pin is not None else 0.0) or (chip.pinVolts if chip is not None else 0.0)
+        if 0 < bears < fed and _reaches(w, c, p.connector):
+            return fault(
+                c,
+                f"{displayed_name(p.connector)} of '{who(c)}' gives up to {fed:g} V to {p.label}, which bears {bears:g} V",
+                volts=fed, most=bears, pin=p.label,
+            )  # fmt: skip
+    return True
+
+
+def _reaches(w: Wiring, c: hardware.Component, connector: hardware.Connector) -> bool:
+    """Whether a device's supply may reach a pin through one of its connectors: as its output, or by its own pull-up."""
+    if connector.kind in (Kind.supply, Kind.ground):
+        return False
+    facts = w.facts(c)
+    if facts.output == "contact" or w.means(connector, "output") or _gives(connector.name):
+        return True
+    if "*" in facts.analog or connector.name.strip().lower() in facts.analog or w.means(connector, "analog"):
+        return True
+    on_bus = w.means(connector, "sda") or w.means(connector, "scl")
+    return bool(facts.pull_ups and on_bus)
+
+
 _OUTPUTS = frozenset(["do", "sdo", "so", "miso", "out", "echo", "rdy"])
 """Names of device outputs, besides those of serial and status lines."""
 

@@ -23,7 +23,7 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
-from robosmi.transformations.knowledge.data_keys import OF_MICROCONTROLLERS, TAKES
+from robosmi.transformations.knowledge.data_keys import OF_CORES, OF_MICROCONTROLLERS, TAKES
 
 KIND = "platform_repo"
 _HAS_PINS = re.compile(r"^\s*(?:pins\b|\[\[pins\]\])", re.MULTILINE)
@@ -31,7 +31,7 @@ _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
-_PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
+_PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts")
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
 _BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
@@ -147,6 +147,7 @@ def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
         timer=timer,
         channel=channel,
         reserved=entry.text("reserved", ""),
+        bearsVolts=entry.decimal("bears_volts") if "bears_volts" in entry.values else 0.0,
     )
 
 
@@ -193,6 +194,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         signature=_signature(table),
         pinMilliamperes=table.optional_number("pin_ma") or 0,
         totalMilliamperes=table.optional_number("total_ma") or 0,
+        pinVolts=table.decimal("pin_volts") if "pin_volts" in table.values else 0.0,
         timers=[platform.Timer(name=t.text("name"), bits=t.number("bits")) for t in table.tables("timers")],
         buses=[
             platform.PinBus(name=bus, signals=list(lines.values), ports=[lines.text(signal) for signal in lines.values])
@@ -246,11 +248,15 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
             if table is not None and label not in labels:
                 raise table.error(f"{key}.{label}", f"is not a pin of this board{did_you_mean(label, labels)}")
     rules = _literal_rules(platform_name, project)
+    core = _core(table.text("fqbn", "") if table is not None else "", platform_name, project)
     return platform.BoardMapping(
         board=board,
         boardId=table.text("fqbn", "") if table is not None else "",
         otherIds=list(table.texts("fqbn_also", ())) if table is not None else [],
         platformioId=table.text("platformio", "") if table is not None else "",
+        platformioPlatform=core.text("platformio", ""),
+        platformioSettings=list(core.texts("platformio_settings", ())),
+        coreIndex=core.text("index_url", ""),
         variant=table.text("variant", "") if table is not None else "",
         define=table.text("define", "") if table is not None else "",
         coreVersion=table.text("core", "") if table is not None else "",
@@ -264,6 +270,15 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
             for pin in board.pins
         ],
     )
+
+
+def _core(full_name: str, platform_name: str, project: Path | None) -> DataTable:
+    """What a platform says of the core of a board (`[cores.NAME]`), a table that may be empty."""
+    known = _settings(platform_name, project).table("cores", needed=False)
+    name = ":".join(full_name.split(":")[:2])
+    own = known.table(name) if name in known.values else DataTable(known.path, {})
+    check_keys(own, OF_CORES)
+    return own
 
 
 def _check_mapping(table: DataTable, platform_name: str, board: str, project: Path | None) -> None:

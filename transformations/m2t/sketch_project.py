@@ -32,6 +32,9 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
         "chosen": chosen,
         "libraries": [f"{name} ({versions[name]})" if versions.get(name) else name for name in names],
         "platformio": str(mapping.platformioId) if mapping is not None else "",
+        "platformio_platform": str(mapping.platformioPlatform) if mapping is not None else "",
+        "platformio_settings": [str(line) for line in mapping.platformioSettings] if mapping is not None else [],
+        "index_url": str(mapping.coreIndex) if mapping is not None else "",
         "dependencies": [_dependency(str(name), str(versions.get(name) or "")) for name in names],
     }
 

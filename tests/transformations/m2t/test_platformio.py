@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.verify.toolchains.boards import load_boards
 from tests.running import run
 
@@ -16,10 +17,12 @@ NAMES = {
     "bt": "btatmega328", "diecimila": "diecimilaatmega328", "ethernet": "ethernet", "fio": "fio", "leonardo": "leonardo",
     "lilypad": "lilypadatmega328", "lilypadusb": "LilyPadUSB", "mega": "megaatmega2560", "megaadk": "megaADK", "micro": "micro",
     "mini": "miniatmega328", "nano": "nanoatmega328new", "pro8mhz": "pro8MHzatmega328", "promini": "pro16MHzatmega328",
-    "uno": "uno", "yun": "yun",
+    "uno": "uno", "yun": "yun", "pico": "pico", "picow": "rpipicow",
 }  # fmt: skip
 """As PlatformIO's package `atmelavr` calls its definitions of boards (`boards/NAME.json`), each with the microcontroller, clock,
-variant and protocol of ours."""
+variant and protocol of ours; the last two as its platform for the RP2040 does."""
+OTHER_PLATFORMS = {"rp2040": ("https://github.com/maxgerhardt/platform-raspberrypi.git", {"board_build.core": "earlephilhower"})}
+"""Microcontroller -> the platform that has Arduino's core of our data, and what it has to be told."""
 
 
 def settings(path: Path) -> configparser.ConfigParser:
@@ -38,7 +41,14 @@ def test_the_file_of_a_board(board: str, tmp_path: Path) -> None:
     robosmi.migrate([IDLE], tmp_path / "out", target=board)
     found = settings(tmp_path / "out" / "idle" / "platformio.ini")
     assert dict(found["platformio"]) == {"src_dir": ".", "default_envs": board}
-    assert dict(found[f"env:{board}"]) == {"platform": "atmelavr", "board": NAMES[board], "framework": "arduino"}
+    chip = load_board(board).microcontroller
+    assert chip is not None
+    name, more = OTHER_PLATFORMS.get(str(chip.name), ("atmelavr", {}))
+    assert dict(found[f"env:{board}"]) == {"platform": name, "board": NAMES[board], "framework": "arduino", **more}
+    fqbn = next(each.full_names[0] for each in load_boards("arduino") if each.name == board)
+    text = (tmp_path / "out" / "idle" / "sketch.yaml").read_text()
+    assert f"fqbn: {fqbn}\n" in text
+    assert ("platform_index_url: https://" in text) == bool(more)
 
 
 @pytest.mark.parametrize("example", ["line_follower", "environmental_monitoring"])

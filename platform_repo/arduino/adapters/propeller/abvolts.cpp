@@ -25,8 +25,12 @@ inline void ad_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin)
 //#   for: int ad_in(int channel)
 //#   kind: oneToOne
 //#   needs: ad_pins hal/analog_counts
-//#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
-//#   limit: 10 bits; the reference is the supply of the board
+//#   fidelity avr: 0 to 4095 for 0 to 5 V, in steps of 4
+//#   fidelity rp2040: 0 to 2703 for 0 to 3.3 V: the numbers are those of 5 V, as there
+//#   fidelity other: 0 to 4095 for 0 to 5 V, as far as the reference of the board goes
+//#   limit avr: 10 bits; the reference is the supply of the board
+//#   limit rp2040: pins bear 3.3 V at most: a higher voltage needs a divider, and no more than 3.3 V is read
+//#   limit other: the reference of the board limits what is read
 //#   stack: 2 0
 inline int32_t ad_in(int32_t channel) {
   return analog_counts(ad_pins[channel & 3]);
@@ -36,8 +40,11 @@ inline int32_t ad_in(int32_t channel) {
 //#   for: float ad_volts(int channel)
 //#   kind: oneToOne
 //#   needs: ad_in
-//#   fidelity: in steps of 5 mV
-//#   limit: 10 bits; the reference is the supply of the board
+//#   fidelity avr: in steps of 5 mV
+//#   fidelity other: in steps of 1.2 mV
+//#   limit avr: 10 bits; the reference is the supply of the board
+//#   limit rp2040: pins bear 3.3 V at most: a higher voltage needs a divider, and no more than 3.3 V is read
+//#   limit other: the reference of the board limits what is read
 //#   stack: 10 0
 inline float ad_volts(int32_t channel) {
   return ad_in(channel) * (5.0f / 4096.0f);
@@ -85,9 +92,11 @@ inline void da_res(int32_t bits) {
 //#   for: void da_out(int channel, int daVal)
 //#   kind: semantic
 //#   needs: da_bits da_pins
-//#   fidelity: the mean voltage, of 8 bits and 5 V
-//#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
-//#   limit: full scale is 5 V instead of 3.3 V
+//#   fidelity avr: the mean voltage, of 8 bits and 5 V
+//#   fidelity other: the mean voltage, of 8 bits and the supply of the board
+//#   limit avr: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit avr: full scale is 5 V instead of 3.3 V
 //#   stack: 6 2
 inline void da_out(int32_t channel, int32_t daVal) {
   uint8_t pin = da_pins[channel ? 1 : 0];
@@ -98,13 +107,15 @@ inline void da_out(int32_t channel, int32_t daVal) {
 //# adapter da_volts
 //#   for: void da_volts(int channel, float daVal)
 //#   kind: semantic
-//#   needs: da_out da_bits da_scale
-//#   fidelity: so many volts in the mean, of the 5 V of this board; no more than 3.3 V, as there
-//#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   needs: da_out da_bits da_scale hal/output_volts
+//#   fidelity avr: so many volts in the mean, of the 5 V of this board; no more than 3.3 V, as there
+//#   fidelity other: so many volts in the mean, no more than 3.3 V, as there
+//#   limit avr: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   stack: 18 8
 inline void da_volts(int32_t channel, float daVal) {
   float most = (float)(1L << da_bits);
-  da_out(channel, (int32_t)constrain(constrain(daVal * da_scale[channel & 1], 0.0f, 3.3f) * most / 5.0f + 0.5f, 0.0f, most - 1));
+  da_out(channel, (int32_t)constrain(constrain(daVal * da_scale[channel & 1], 0.0f, 3.3f) * most / output_volts + 0.5f, 0.0f, most - 1));
 }
 
 //# constant _abvolts_EE_start_
@@ -114,9 +125,10 @@ inline void da_volts(int32_t channel, float daVal) {
 //# adapter da_setupScale
 //#   for: void da_setupScale(void)
 //#   kind: semantic
-//#   needs: _abvolts_EE_start_ da_pins da_scale ad_volts simpletools.h/ee_putFloat32 simpletools.h/ee_putStr simpletools.h/high hal/Io simpletools.h/low simpletext.h/print
+//#   needs: _abvolts_EE_start_ da_pins da_scale ad_volts hal/output_volts simpletools.h/ee_putFloat32 simpletools.h/ee_putStr simpletools.h/high hal/Io simpletools.h/low simpletext.h/print
 //#   fidelity: both outputs are read back 40 times through the first two channels, and the ratio to 3.3 V is kept in EEPROM, as there
-//#   limit: outputs are high at 5 V here, which is the reading of a right circuit; the words that it prints are others than there
+//#   limit avr: outputs are high at 5 V here, which is the reading of a right circuit; the words that it prints are others than there
+//#   limit other: the words that it prints are others than there
 //#   stack: 311 293
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
@@ -127,7 +139,7 @@ inline void da_setupScale() {
   for (uint8_t turn = 0; turn < 40; turn++) {
     for (uint8_t side = 0; side < 2; side++) {
       float volts = ad_volts(side);
-      if (!turn && (volts < 4.7f || volts > 5.3f)) {
+      if (!turn && (volts < 0.94f * output_volts || volts > 1.06f * output_volts)) {
         print("Error\n");
         return;
       }
@@ -136,7 +148,7 @@ inline void da_setupScale() {
   }
   ee_putStr("abvolts", 8, _abvolts_EE_start_);
   for (uint8_t side = 0; side < 2; side++) {
-    da_scale[side] = 5.0f / (sums[side] / 40);
+    da_scale[side] = output_volts / (sums[side] / 40);
     ee_putFloat32(da_scale[side], _abvolts_EE_start_ + 8 + 4 * side);
     low(da_pins[side]);
     Io(da_pins[side]).drive(false);

@@ -25,8 +25,12 @@ inline void adc_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin
 //#   for: int adc_in(int channel)
 //#   kind: oneToOne
 //#   needs: adc_pins hal/analog_counts
-//#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
-//#   limit: 10 bits; the reference is the supply of the board
+//#   fidelity avr: 0 to 4095 for 0 to 5 V, in steps of 4
+//#   fidelity rp2040: 0 to 2703 for 0 to 3.3 V: the numbers are those of 5 V, as there
+//#   fidelity other: 0 to 4095 for 0 to 5 V, as far as the reference of the board goes
+//#   limit avr: 10 bits; the reference is the supply of the board
+//#   limit rp2040: pins bear 3.3 V at most: a higher voltage needs a divider, and no more than 3.3 V is read
+//#   limit other: the reference of the board limits what is read
 //#   stack: 2 0
 inline int32_t adc_in(int32_t channel) {
   return analog_counts(adc_pins[channel & 3]);
@@ -36,8 +40,11 @@ inline int32_t adc_in(int32_t channel) {
 //#   for: float adc_volts(int channel)
 //#   kind: oneToOne
 //#   needs: adc_in
-//#   fidelity: in steps of 5 mV
-//#   limit: 10 bits; the reference is the supply of the board
+//#   fidelity avr: in steps of 5 mV
+//#   fidelity other: in steps of 1.2 mV
+//#   limit avr: 10 bits; the reference is the supply of the board
+//#   limit rp2040: pins bear 3.3 V at most: a higher voltage needs a divider, and no more than 3.3 V is read
+//#   limit other: the reference of the board limits what is read
 //#   stack: 10 0
 inline float adc_volts(int32_t channel) {
   return adc_in(channel) * (5.0f / 4096.0f);

@@ -29,9 +29,12 @@ inline dac2ch *dac2ch_start(int32_t bits) {
 //#   kind: semantic
 //#   needs: dac2ch hal/Io
 //#   pin: pin pwm out
-//#   fidelity: the mean voltage, of 8 bits and 5 V; less than nothing makes the pin an input, and so does another pin of the channel
-//#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
-//#   limit: full scale is 5 V instead of 3.3 V
+//#   fidelity avr: the mean voltage, of 8 bits and 5 V; less than nothing makes the pin an input, and so does another pin of the channel
+//#   fidelity other: the mean voltage, of 8 bits and the supply of the board; less than nothing makes the pin an input, and so does
+//#   fidelity other: another pin of the channel
+//#   limit avr: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit avr: full scale is 5 V instead of 3.3 V
 //#   stack: 36 20
 inline void dac2ch_set(dac2ch *device, int32_t pin, int32_t channel, int32_t dacVal) {
   uint8_t &used = device->pins[channel ? 1 : 0];

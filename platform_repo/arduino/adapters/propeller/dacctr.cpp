@@ -66,8 +66,10 @@ inline dac dac_setup(int32_t pin, int32_t channel, int32_t bits) {
 //#   for: void dac_set(dac *da, int value)
 //#   kind: semantic
 //#   needs: dac dac_put
-//#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there; a value for another cog is kept until dac_start
-//#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   fidelity avr: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there; a value for another cog is kept until dac_start
+//#   fidelity other: the mean voltage within 0.4 % of the supply; a value for another cog is kept until dac_start
+//#   limit avr: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   limit other: 1 kHz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
 //#   stack: 10 2
 inline void dac_set(dac *da, int32_t value) {

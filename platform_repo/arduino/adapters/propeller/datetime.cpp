@@ -135,7 +135,8 @@ inline datetime dt_fromEt(int32_t et) {
 //#   for: void dt_run(datetime dt)
 //#   kind: semantic
 //#   needs: datetime clock_seconds dt_toEt
-//#   fidelity: the clock goes from that time on; the resonator of an Uno is up to 0.5 % off, 7 minutes a day
+//#   fidelity avr: the clock goes from that time on; the resonator of an Uno is up to 0.5 % off, 7 minutes a day
+//#   fidelity other: the clock goes from that time on, as exactly as that of the board does
 //#   stack: 102 0
 inline void dt_run(datetime dt) {
   clock_seconds = dt_toEt(dt);

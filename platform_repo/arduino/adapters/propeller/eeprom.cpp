@@ -41,7 +41,7 @@ inline void eepromInit(EEPROM *eeprom, I2C *dev, int32_t address) {
 //#   pin: scl digital both
 //#   pin: sda digital both
 //#   fidelity: exact: 0 beyond 400 kHz; the address has 8 bits
-//#   limit: only at the pins SCL and SDA; connect a memory there
+//#   limit avr: only at the pins SCL and SDA; connect a memory there
 //#   stack: 0
 inline EEPROM *eepromOpen(EEPROM_COGDRIVER *eeprom, int32_t scl, int32_t sda, int32_t freq, int32_t address) {
   I2C *dev = i2cOpen(&eeprom->dev, scl, sda, freq);
@@ -57,7 +57,7 @@ inline EEPROM *eepromOpen(EEPROM_COGDRIVER *eeprom, int32_t scl, int32_t sda, in
 //#   pin: scl digital both
 //#   pin: sda digital both
 //#   fidelity: 100 kHz; the address has 8 bits
-//#   limit: only at the pins SCL and SDA; connect a memory there
+//#   limit avr: only at the pins SCL and SDA; connect a memory there
 //#   stack: 0
 inline EEPROM *simple_eepromOpen(EEPROM_SIMPLE *eeprom, int32_t scl, int32_t sda, int32_t address) {
   eepromInit(&eeprom->state, simple_i2cOpen(&eeprom->dev, scl, sda), address);

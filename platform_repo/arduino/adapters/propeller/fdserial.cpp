@@ -41,12 +41,12 @@ typedef text_t fdserial;
 #define FDSERIAL_MODE_ECHO_RX_TO_TX 32
 
 //# helper open_line
-//#   needs: hal/SerialLine simpletext.h/text_t hal/watch_pin
+//#   needs: hal/SerialLine simpletext.h/text_t hal/watch_pin hal/console
 //#   fidelity: a device of text for a serial line at two pins, of which either may be none; at those of the console, Serial
 inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   text_t *line = new text_t();
   line->terminalEcho = mode >> 4 & 1;
-  if (rxpin == 0 && txpin == 1) {
+  if (is_console(rxpin, txpin)) {
     Serial.begin(baudrate);
     line->port = &Serial;
     line->ecA = line->ecsA = '\r';
@@ -188,13 +188,13 @@ inline void fdserial_txFlush(fdserial *term) {
 //# adapter fdserial_txEmpty
 //#   for: int fdserial_txEmpty(fdserial *term)
 //#   kind: oneToOne
-//#   needs: fdserial simpletext.h/text_t
+//#   needs: fdserial simpletext.h/text_t hal/console
 //#   fidelity: exact; away from the console nothing ever waits, as bytes are sent at once
 //#   stack: 6
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline int32_t fdserial_txEmpty(fdserial *term) {
-  return term->port != &Serial || Serial.availableForWrite() == SERIAL_TX_BUFFER_SIZE - 1;
+  return term->port != &Serial || console_is_sent();
 }
 
 //# adapter fdserial_close

@@ -30,7 +30,7 @@ typedef I2C_COGDRIVER I2C_SIMPLE;
 //#   pin: scl digital both
 //#   pin: sda digital both
 //#   fidelity: up to 400 kHz, 0 beyond, as there; a frequency below 31 kHz is made 31 kHz
-//#   limit: only at the pins SCL and SDA; a bus at others has no devices
+//#   limit avr: only at the pins SCL and SDA; a bus at others has no devices
 //#   stack: 0
 inline I2C *i2cOpen(I2C_COGDRIVER *dev, int32_t scl, int32_t sda, int32_t freq) {
   if (freq > 400000) return 0;
@@ -45,7 +45,7 @@ inline I2C *i2cOpen(I2C_COGDRIVER *dev, int32_t scl, int32_t sda, int32_t freq) 
 //#   pin: scl digital both
 //#   pin: sda digital both
 //#   fidelity: 100 kHz
-//#   limit: only at the pins SCL and SDA; a bus at others has no devices
+//#   limit avr: only at the pins SCL and SDA; a bus at others has no devices
 //#   stack: 0
 inline I2C *simple_i2cOpen(I2C_SIMPLE *dev, int32_t scl, int32_t sda) {
   i2c_open(&dev->i2c.bus, scl, sda, 0);

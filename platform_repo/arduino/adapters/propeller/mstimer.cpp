@@ -14,7 +14,8 @@ static bool mstime_on;
 //#   for: int mstime_get()
 //#   kind: oneToOne
 //#   needs: mstime_origin mstime_on
-//#   fidelity: milliseconds since the start; the resonator of an Uno is up to 0.5 % off
+//#   fidelity avr: milliseconds since the start; the resonator of an Uno is up to 0.5 % off
+//#   fidelity other: milliseconds since the start
 //#   stack: 0
 inline int32_t mstime_get() {
   return mstime_on ? (int32_t)(millis() - mstime_origin) : mstime_held;

@@ -340,14 +340,14 @@ inline int32_t lockclr(int32_t lockid) {
 #endif
 
 //# helper cog_table
-//#   needs: COG_SLOTS
+//#   needs: COG_SLOTS hal/cog_frame
 //#   fidelity: code of other cogs runs on stacks of its own; one cog runs at a time, until it waits or ends
 //#   limit: a stack holds COG_STACK bytes: locals and calls of the cog, and the interrupts that come meanwhile
 //#   ram: 13
 enum { COG_PAINT = 0xA5 };  // what an unused stack is filled with
 
 struct CogTable {
-  uint8_t stack[COG_SLOTS][COG_STACK];  // in front: what runs over leaves the rest as it is
+  uint8_t stack[COG_SLOTS][COG_STACK + cog_room];  // in front: what runs over leaves the rest as it is
   uint8_t now;
   uint8_t *saved[COG_SLOTS + 1];  // the stack pointer of each that waits
   void (*code[COG_SLOTS + 1])(void *);
@@ -411,8 +411,8 @@ inline void cog_main() {
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
   uint8_t *stack = cog_table.stack[number - 1];
-  memset(stack, COG_PAINT, COG_STACK);
-  cog_table.saved[number] = cog_frame(stack + COG_STACK, cog_main);
+  memset(stack, COG_PAINT, COG_STACK + cog_room);
+  cog_table.saved[number] = cog_frame(stack + COG_STACK + cog_room, cog_main);
   cog_table.code[number] = code;
   cog_table.parameter[number] = parameter;
   cogs_running |= 1 << number;
@@ -430,13 +430,13 @@ inline int8_t cog_start(void (*code)(void *), void *parameter) {
 }
 
 //# helper cog_stack_used
-//#   needs: cog_table COG_SLOTS
+//#   needs: cog_table COG_SLOTS hal/cog_frame
 //#   fidelity: the most bytes that a cog had on its stack since it was started
 inline uint16_t cog_stack_used(uint8_t number) {
   const uint8_t *stack = cog_table.stack[number - 1];
   uint16_t unused = 0;
-  while (unused < COG_STACK && stack[unused] == COG_PAINT) unused++;
-  return COG_STACK - unused;
+  while (unused < COG_STACK + cog_room && stack[unused] == COG_PAINT) unused++;
+  return COG_STACK + cog_room - unused;
 }
 
 //# adapter cogstart

@@ -19,9 +19,26 @@ static Thread threads[COG_SLOTS + 1];
 //# type pthread_t
 //#   needs: Thread
 //#   fidelity: a handle, as there
+#define pthread_t own_pthread_t  // the C library of this target has another type of the name
+typedef Thread *pthread_t;
+
+//# type pthread_t
+//#   architecture: avr
+//#   needs: Thread
+//#   fidelity: a handle, as there
 typedef Thread *pthread_t;
 
 //# type pthread_attr_t
+//#   fidelity: the size of a stack is kept and not used
+#define pthread_attr_t own_pthread_attr_t  // the C library of this target has another type of the name
+struct pthread_attr_t {
+  uint32_t stksiz;
+  void *stack;
+  uint32_t flags;
+};
+
+//# type pthread_attr_t
+//#   architecture: avr
 //#   fidelity: the size of a stack is kept and not used
 struct pthread_attr_t {
   uint32_t stksiz;
@@ -31,9 +48,24 @@ struct pthread_attr_t {
 
 //# type pthread_mutexattr_t
 //#   fidelity: exact
+#define pthread_mutexattr_t own_pthread_mutexattr_t  // the C library of this target has another type of the name
+typedef int32_t pthread_mutexattr_t;
+
+//# type pthread_mutexattr_t
+//#   architecture: avr
+//#   fidelity: exact
 typedef int32_t pthread_mutexattr_t;
 
 //# type pthread_mutex_t
+//#   fidelity: locked or not
+#define pthread_mutex_t own_pthread_mutex_t  // the C library of this target has another type of the name
+struct pthread_mutex_t {
+  uint8_t locked;
+  uint8_t unused;
+};
+
+//# type pthread_mutex_t
+//#   architecture: avr
 //#   fidelity: locked or not
 struct pthread_mutex_t {
   uint8_t locked;
@@ -42,9 +74,24 @@ struct pthread_mutex_t {
 
 //# type pthread_condattr_t
 //#   fidelity: exact
+#define pthread_condattr_t own_pthread_condattr_t  // the C library of this target has another type of the name
+typedef int32_t pthread_condattr_t;
+
+//# type pthread_condattr_t
+//#   architecture: avr
+//#   fidelity: exact
 typedef int32_t pthread_condattr_t;
 
 //# type pthread_cond_t
+//#   fidelity: how many wait, and how many of them may go on
+#define pthread_cond_t own_pthread_cond_t  // the C library of this target has another type of the name
+struct pthread_cond_t {
+  uint8_t waiting;
+  uint8_t woken;
+};
+
+//# type pthread_cond_t
+//#   architecture: avr
 //#   fidelity: how many wait, and how many of them may go on
 struct pthread_cond_t {
   uint8_t waiting;
@@ -52,6 +99,12 @@ struct pthread_cond_t {
 };
 
 //# type pthread_key_t
+//#   fidelity: exact
+#define pthread_key_t own_pthread_key_t  // the C library of this target has another type of the name
+typedef uint8_t pthread_key_t;
+
+//# type pthread_key_t
+//#   architecture: avr
 //#   fidelity: exact
 typedef uint8_t pthread_key_t;
 
@@ -62,9 +115,11 @@ typedef uint8_t pthread_key_t;
 #define PTHREAD_STACK_MIN 64L
 
 //# constant PTHREAD_CREATE_JOINABLE
+#undef PTHREAD_CREATE_JOINABLE
 #define PTHREAD_CREATE_JOINABLE 0
 
 //# constant PTHREAD_CREATE_DETACHED
+#undef PTHREAD_CREATE_DETACHED
 #define PTHREAD_CREATE_DETACHED 1
 
 //# adapter pthread_attr_init

@@ -14,7 +14,7 @@ struct pwm2ch : PwmDevice {};
 //#   needs: pwm2ch hal/pwm_devices
 //#   fidelity: cycles from 100 us up to 4.16 s, one tick of the timer exact: 0.06 us up to 4 ms, 0.5 us up to 32 ms; of two devices both
 //#   fidelity: have the ticks of the slower one
-//#   limit: takes Timer1, which Servo.h needs: one of the two
+//#   limit avr: takes Timer1, which Servo.h needs: one of the two
 //#   limit: a third pwm2ch makes no pulses
 //#   limit: where a second pwm2ch is so much slower that the ticks change, the first one begins its cycle anew
 //#   stack: 33 16

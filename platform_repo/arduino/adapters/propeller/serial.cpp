@@ -23,7 +23,7 @@ struct HalfLine : SerialLine {
   HalfLine(int32_t rxpin, int32_t txpin, uint32_t baudrate) : SerialLine(rxpin, txpin, 0, baudrate) {}
   bool shared() const { return receives.wired() && sends.wired() && receives.pin == sends.pin; }
   virtual int available() {
-    if (shared() && sends.driven()) sends.put(sends.direction, false);  // the latch is high: a pull-up
+    if (shared() && sends.driven()) let_go();
     return SerialLine::available();
   }
   virtual size_t write(uint8_t byte) {
@@ -40,7 +40,7 @@ struct HalfLine : SerialLine {
 //# adapter serial_open
 //#   for: serial *serial_open(int rxpin, int txpin, int mode, int baudrate)
 //#   kind: semantic
-//#   needs: serial HalfLine hal/SerialLine simpletext.h/text_t simpletext.h/ECHO_RX_TO_TX hal/watch_pin
+//#   needs: serial HalfLine hal/SerialLine simpletext.h/text_t simpletext.h/ECHO_RX_TO_TX hal/watch_pin hal/console
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
 //#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there
@@ -55,7 +55,7 @@ struct HalfLine : SerialLine {
 inline serial *serial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   serial *device = new serial();
   device->terminalEcho = (mode & ECHO_RX_TO_TX) != 0;
-  if (rxpin == 0 && txpin == 1) {
+  if (is_console(rxpin, txpin)) {
     Serial.begin(baudrate);
     device->port = &Serial;
     device->ecA = device->ecsA = '\r';

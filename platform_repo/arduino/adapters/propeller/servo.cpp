@@ -36,7 +36,7 @@ inline void sample_in_background(void (*job)()) {
 //# helper frames
 //#   needs: background hal/Uninterrupted hal/periods hal/frame_clock simpletools.h/TimedInput
 //#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and are made up for when it ends
-//#   ram: 11
+//#   ram: 9
 static void (*frame_jobs[3])();
 static volatile uint8_t frames_owed;  // that have waited
 static volatile uint8_t frame_age;    // periods of 1,024 us since the frame jobs began last
@@ -141,9 +141,12 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   needs: ServoSlot hal/Io hal/Uninterrupted hal/ServoPin
 //#   pin: pin digital out servo
 //#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
-//#   limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
-//#   limit: widths from 40 to 2,900 us
-//#   range: time 40..2900 or 0: the pulse is made 40 or 2,900 us long
+//#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
+//#   limit rp2040: 8 servos at a time instead of 14
+//#   limit avr: widths from 40 to 2,900 us
+//#   limit rp2040: widths from 200 to 2,900 us
+//#   range avr: time 40..2900 or 0: the pulse is made 40 or 2,900 us long
+//#   range rp2040: time 200..2900 or 0: the pulse is made 200 or 2,900 us long
 //#   stack: 36 18
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_set(int32_t pin, int32_t time) {
@@ -178,7 +181,8 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
 //#   needs: servo_set
 //#   pin: pin digital out servo
 //#   fidelity: 500 us and one more for each tenth of a degree, as there
-//#   range: degreeTenths -460..2400 or -500: the pulse is made 40 or 2,900 us long
+//#   range avr: degreeTenths -460..2400 or -500: the pulse is made 40 or 2,900 us long
+//#   range rp2040: degreeTenths -300..2400 or -500: the pulse is made 200 or 2,900 us long
 //#   stack: 36 18
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
@@ -191,7 +195,8 @@ inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
 //#   needs: servo_set servo_us
 //#   pin: pin digital out servo
 //#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
-//#   range: speed -1460..1400 or -1500: the pulse is made 40 or 2,900 us long
+//#   range avr: speed -1460..1400 or -1500: the pulse is made 40 or 2,900 us long
+//#   range rp2040: speed -1300..1400 or -1500: the pulse is made 200 or 2,900 us long
 //#   stack: 36 18
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_speed(int32_t pin, int32_t speed) {

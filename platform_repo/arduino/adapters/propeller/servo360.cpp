@@ -299,7 +299,7 @@ inline int8_t servo360_place(int32_t pin) {
 //#   pin: pinControl digital out servo
 //#   pin: pinFeedback digital in encoder
 //#   fidelity: the place of the servo, or -8 without a signal, -4 and -5 for a pin in use, -7 for a fifth servo
-//#   limit: the feedback pin needs a pin-change interrupt (all pins of an Uno)
+//#   limit avr: the feedback pin needs a pin-change interrupt (all pins of an Uno)
 //#   limit: where the feedback is not wired, the angle is taken to be as calculated
 //#   stack: 94 72
 //#   interrupt: PCINT0_vect 21

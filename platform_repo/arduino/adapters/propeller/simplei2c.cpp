@@ -14,7 +14,7 @@ struct i2c : TwoWireBus {};
 //#   pin: sclPin digital both
 //#   pin: sdaPin digital both
 //#   fidelity: 100 kHz; weak pull-ups are switched on
-//#   limit: only at the pins SCL and SDA; the clock is never driven high
+//#   limit avr: only at the pins SCL and SDA; the clock is never driven high
 //#   stack: 0
 inline i2c *i2c_open(i2c *bus, int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
   (void)sclDrive;

@@ -418,7 +418,7 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
 //#   pin: pin digital in
 //#   fidelity: within 2 us
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
-//#   limit: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
+//#   limit avr: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
 //#   stack: 22 4
 inline int32_t rc_time(int32_t pin, int32_t state) {
@@ -603,7 +603,7 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
 //#   needs: hal/pwm_pair
 //#   fidelity: within 0.1 %; the number returned is not that of a cog
 //#   limit: cycles of more than 262 ms are made 262 ms long
-//#   limit: not together with servos, which need Timer1, too
+//#   limit avr: not together with servos, which need Timer1, too
 //#   range: cycleMicroseconds 20..262144: the cycle is made 262 ms or 20 us long
 //#   stack: 14 0
 //#   interrupt: TIMER1_COMPA_vect 19
@@ -648,8 +648,10 @@ inline void end_dac(uint8_t channel) {
 //#   kind: semantic
 //#   needs: hal/Io dac_pins dac_bits end_dac
 //#   pin: pin pwm out
-//#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
-//#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   fidelity avr: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
+//#   fidelity other: the mean voltage within 0.4 % of the supply
+//#   limit avr: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   limit other: 1 kHz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
 //#   stack: 24 12
 inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
@@ -770,8 +772,10 @@ static i2c i2c_buses[2];
 //#   needs: i2c_buses simplei2c.h/i2c simplei2c.h/i2c_open hal/TwoWireBus
 //#   pin: sclPin digital both
 //#   pin: sdaPin digital both
-//#   fidelity: exact at the pins SCL and SDA; a bus at any other pins is not wired
-//#   limit: the bus is the one of the hardware: connect devices to SCL and SDA
+//#   fidelity avr: exact at the pins SCL and SDA; a bus at any other pins is not wired
+//#   fidelity other: at any two pins; the clock is never driven high
+//#   limit avr: the bus is the one of the hardware: connect devices to SCL and SDA
+//#   limit other: two buses at most
 //#   stack: 0
 inline i2c *i2c_newbus(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
   return i2c_open(&i2c_buses[i2c::place(sclPin, sdaPin)], sclPin, sdaPin, sclDrive);
@@ -840,8 +844,10 @@ inline int32_t i2c_busy(i2c *busID, int32_t i2cAddr) {
 //#   kind: oneToMany
 //#   needs: hal/store
 //#   fidelity: exact within the memory of the microcontroller
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes; what the source robot kept is not carried over
-//#   limit: a byte that changes takes 3.4 ms, where up to 128 of them take 5 ms there
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes; what the source robot kept is not carried over
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes; what the source robot kept is not carried over
+//#   limit avr: a byte that changes takes 3.4 ms, where up to 128 of them take 5 ms there
+//#   limit rp2040: a byte that changes takes some 50 ms, in which all else stands still
 //#   stack: 2
 inline void ee_putByte(uint8_t value, int32_t addr) {
   store_write((uint32_t)addr % store_size, value);
@@ -852,7 +858,8 @@ inline void ee_putByte(uint8_t value, int32_t addr) {
 //#   kind: oneToMany
 //#   needs: hal/store
 //#   fidelity: exact within the memory of the microcontroller; 0 to 255
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 0
 inline uint8_t ee_getByte(int32_t addr) {
   return store_read((uint32_t)addr % store_size);
@@ -863,8 +870,10 @@ inline uint8_t ee_getByte(int32_t addr) {
 //#   kind: oneToMany
 //#   needs: ee_putByte
 //#   fidelity: exact within the memory of the microcontroller
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
-//#   limit: each byte that changes takes 3.4 ms, where up to 128 of them take 5 ms there
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
+//#   limit avr: each byte that changes takes 3.4 ms, where up to 128 of them take 5 ms there
+//#   limit rp2040: each byte that changes takes some 50 ms, in which all else stands still
 //#   stack: 2
 inline void ee_putStr(const void *s, int32_t n, int32_t addr) {
   for (int32_t number = 0; number < n; number++) ee_putByte(((const uint8_t *)s)[number], addr + number);
@@ -875,7 +884,8 @@ inline void ee_putStr(const void *s, int32_t n, int32_t addr) {
 //#   kind: oneToMany
 //#   needs: ee_getByte
 //#   fidelity: exact within the memory of the microcontroller
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 2
 template <class Text>
 inline Text *ee_getStr(Text *s, int32_t n, int32_t addr) {
@@ -888,7 +898,8 @@ inline Text *ee_getStr(Text *s, int32_t n, int32_t addr) {
 //#   kind: oneToMany
 //#   needs: ee_putStr
 //#   fidelity: exact: four bytes, the lowest first
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 12 8
 inline void ee_putInt(int32_t value, int32_t addr) {
   ee_putStr(&value, sizeof value, addr);
@@ -899,7 +910,8 @@ inline void ee_putInt(int32_t value, int32_t addr) {
 //#   kind: oneToMany
 //#   needs: ee_getStr
 //#   fidelity: exact: four bytes, the lowest first
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 8
 inline int32_t ee_getInt(int32_t addr) {
   int32_t value;
@@ -912,7 +924,8 @@ inline int32_t ee_getInt(int32_t addr) {
 //#   kind: oneToMany
 //#   needs: ee_putStr
 //#   fidelity: exact
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 12 8
 inline void ee_putFloat32(float value, int32_t addr) {
   ee_putStr(&value, sizeof value, addr);
@@ -923,7 +936,8 @@ inline void ee_putFloat32(float value, int32_t addr) {
 //#   kind: oneToMany
 //#   needs: ee_getStr
 //#   fidelity: exact
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 8
 inline float ee_getFloat32(int32_t addr) {
   float value;
@@ -948,7 +962,8 @@ inline void ee_config(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
 //#   kind: oneToOne
 //#   needs: ee_putByte
 //#   fidelity: the older name of ee_putByte
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 2
 inline void ee_put_byte(uint8_t value, int32_t addr) {
   ee_putByte(value, addr);
@@ -959,7 +974,8 @@ inline void ee_put_byte(uint8_t value, int32_t addr) {
 //#   kind: oneToOne
 //#   needs: ee_getByte
 //#   fidelity: the older name of ee_getByte
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 0
 inline uint8_t ee_get_byte(int32_t addr) {
   return ee_getByte(addr);
@@ -970,7 +986,8 @@ inline uint8_t ee_get_byte(int32_t addr) {
 //#   kind: oneToOne
 //#   needs: ee_putInt
 //#   fidelity: the older name of ee_putInt
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 12 8
 inline void ee_put_int(int32_t value, int32_t addr) {
   ee_putInt(value, addr);
@@ -981,7 +998,8 @@ inline void ee_put_int(int32_t value, int32_t addr) {
 //#   kind: oneToOne
 //#   needs: ee_getInt
 //#   fidelity: the older name of ee_getInt
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 8
 inline int32_t ee_get_int(int32_t addr) {
   return ee_getInt(addr);
@@ -992,7 +1010,8 @@ inline int32_t ee_get_int(int32_t addr) {
 //#   kind: oneToOne
 //#   needs: ee_putStr
 //#   fidelity: the older name of ee_putStr
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 2
 inline void ee_put_str(const void *s, int32_t n, int32_t addr) {
   ee_putStr(s, n, addr);
@@ -1003,7 +1022,8 @@ inline void ee_put_str(const void *s, int32_t n, int32_t addr) {
 //#   kind: oneToOne
 //#   needs: ee_getStr
 //#   fidelity: the older name of ee_getStr
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 2
 template <class Text>
 inline Text *ee_get_str(Text *s, int32_t n, int32_t addr) {
@@ -1015,7 +1035,8 @@ inline Text *ee_get_str(Text *s, int32_t n, int32_t addr) {
 //#   kind: oneToOne
 //#   needs: ee_putFloat32
 //#   fidelity: the older name of ee_putFloat32
-//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit avr: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   limit other: 4 KB instead of 64: addresses repeat every 4,096 bytes
 //#   stack: 12 8
 inline void ee_put_float32(float value, int32_t addr) {
   ee_putFloat32(value, addr);
@@ -1034,7 +1055,8 @@ inline void ee_put_float32(float value, int32_t addr) {
 //#   pin: diPin digital out
 //#   pin: csPin digital out
 //#   fidelity: 0 when the card is ready, else another number
-//#   limit: the card has to be at the pins of SPI (on an Uno 12, 13 and 11); at any others it is not wired
+//#   limit avr: the card has to be at the pins of SPI (on an Uno 12, 13 and 11); at any others it is not wired
+//#   limit other: the card has to be at the pins of SPI; at any others it is not wired
 //#   stack: 0
 inline int32_t sd_mount(int32_t doPin, int32_t clkPin, int32_t diPin, int32_t csPin) {
   if (doPin != MISO || clkPin != SCK || diPin != MOSI || !Io(csPin).wired()) return 1;

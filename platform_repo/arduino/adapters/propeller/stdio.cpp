@@ -390,22 +390,23 @@ inline int32_t c_scanf(const char *fmt, Targets... targets) {
 // ---------------------------------------------------------------- files
 
 //# helper open_files
+//#   needs: hal/own_files
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: two files can be open at a time; each is a stream of the target's library
 //#   ram: 58
 struct OpenFile {
-  FILE stream;
+  OwnFile stream;
   File file;
 };
 static OpenFile open_files[2];
 
 //# helper file_of
-//#   needs: open_files
+//#   needs: open_files hal/own_files
 //#   include: <SD.h> <stdio.h>
 inline File *file_of(FILE *stream) {
   for (OpenFile &each : open_files)
-    if (&each.stream == stream && each.file) return &each.file;
+    if (is_own_file(each.stream, stream) && each.file) return &each.file;
   return 0;
 }
 
@@ -416,7 +417,8 @@ inline File *file_of(FILE *stream) {
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: exact: 0 when the file cannot be opened; the modes r, w, a and each with +
-//#   limit: two files at a time, with names of 8 and 3 characters; 12 KB of program memory and 700 bytes of RAM
+//#   limit avr: two files at a time, with names of 8 and 3 characters; 12 KB of program memory and 700 bytes of RAM
+//#   limit other: two files at a time
 //#   stack: 27 19
 inline FILE *fopen(const char *name, const char *mode) {
   uint8_t how = O_READ;

@@ -10,6 +10,12 @@ static_assert(sizeof(clock_t) == 4 && (clock_t)-1 > 0, "clock_t is that in time.
 
 //# type time_t
 //#   include: <time.h>
+//#   fidelity: a number of seconds, of 64 bits in the C library of this target
+static_assert(sizeof(time_t) >= 4, "time_t is a number of seconds");
+
+//# type time_t
+//#   architecture: avr
+//#   include: <time.h>
 //#   fidelity: exact: 32 bits without a sign
 static_assert(sizeof(time_t) == 4 && (time_t)-1 > 0, "time_t is that in time.h");
 
@@ -22,6 +28,7 @@ static_assert(sizeof(time_t) == 4 && (time_t)-1 > 0, "time_t is that in time.h")
 //# constant CLK_TCK
 //#   include: <time.h>
 //#   fidelity: exact: ticks of the virtual counter in a second
+#undef CLK_TCK
 #define CLK_TCK ((clock_t)80000000UL)
 
 //# adapter clock

@@ -206,9 +206,10 @@ inline void ws2812_close(ws2812_t *driver) {
 //#   pin: pin digital out
 //#   fidelity: all lights are set when it returns, which takes 33 us for each; beside servos it waits up to 20 ms for a time
 //#   fidelity: between their pulses, so that these keep their widths
-//#   limit: interrupts are off meanwhile, so that from 31 lights on the clock falls behind; only at 16 MHz
+//#   limit avr: interrupts are off meanwhile, so that from 31 lights on the clock falls behind; only at 16 MHz
+//#   limit other: interrupts are off meanwhile
 //#   limit: beside servos whose pulses leave no such time in a frame of 20 ms, these tremble
-//#   range: count 0..30: the clock falls behind meanwhile
+//#   range avr: count 0..30: the clock falls behind meanwhile
 //#   stack: 24 4
 inline void ws2812_set(ws2812_t *driver, int32_t pin, uint32_t *colors, int32_t count) {
   Io io(pin);

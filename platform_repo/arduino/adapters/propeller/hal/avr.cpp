@@ -3,6 +3,11 @@
 // The hardware layer on AVR microcontrollers (ATmega328P, 32U4, 2560): registers, timers, interrupts, instructions.
 // What each piece promises is written in docs/reference/hardware-layer.md. A tick of an edge is 1/16 us on every target.
 
+// ---------------------------------------------------------------- numbers
+
+//# helper SourceInt
+typedef int32_t SourceInt;  // the int of the source, as programs have it here
+
 // ---------------------------------------------------------------- interrupts
 
 //# helper Uninterrupted
@@ -308,6 +313,7 @@ inline void begin_frames() {
 
 //# helper frame_clock
 //#   needs: servo_timer frame_ticks frame_interrupt
+//#   ram: 2
 inline void frame_is_owed();
 inline void frame_comes();
 
@@ -800,6 +806,11 @@ struct TwoWireBus {  // the hardware drives the one at SCL and SDA; at any other
 
 // ---------------------------------------------------------------- serial lines
 
+//# helper console
+inline bool is_console(int32_t rxpin, int32_t txpin) { return rxpin == 0 && txpin == 1; }
+
+inline bool console_is_sent() { return Serial.availableForWrite() == SERIAL_TX_BUFFER_SIZE - 1; }
+
 //# helper SerialLine
 //#   needs: Io PinWatch simpletools.h/TimedInput quiet_of_servos
 //#   include: <util/delay_basic.h>
@@ -845,6 +856,7 @@ struct SerialLine : Stream, PinWatch {
       sends.put(sends.direction, true);
     }
   }
+  void let_go() const { sends.put(sends.direction, false); }  // the latch is high: a pull-up
   void keep(uint8_t byte) {
     uint8_t next = (head + 1) & 63;
     if (next == tail) return;
@@ -1027,6 +1039,9 @@ inline void store_write(uint32_t at, uint8_t value) { eeprom_update_byte((uint8_
 //#   fidelity: 4,096 counts of 5 V, in steps of 4
 inline int32_t analog_counts(uint8_t pin) { return pin < NUM_DIGITAL_PINS ? analogRead(pin) * 4L : 0; }
 
+//# helper output_volts
+const float output_volts = 5.0f;  // of a pin that is high
+
 // ---------------------------------------------------------------- files of the C library
 
 //# helper own_files
@@ -1039,6 +1054,8 @@ inline FILE *open_own_file(OwnFile &file, int (*put)(char, FILE *), int (*get)(F
   return &file;
 }
 
+inline bool is_own_file(const OwnFile &file, const FILE *stream) { return &file == stream; }
+
 inline void *about_own_file(FILE *file) { return fdev_get_udata(file); }
 
 const int end_of_own_file = _FDEV_EOF;
@@ -1050,7 +1067,7 @@ inline const uint8_t *stack_pointer() { return (const uint8_t *)SP; }
 
 //# helper cog_frame
 //#   fidelity: the registers that a function must keep, and its return address
-const uint8_t cog_saved = 18;
+const uint8_t cog_saved = 18, cog_room = 0;
 
 inline uint8_t *cog_frame(uint8_t *top, void (*code)()) {  // what the stack pointer of a cog that begins is
   *--top = (uint16_t)code;

@@ -1,0 +1,78 @@
+"""The adapters on the second architecture: all of a header compile for the Raspberry Pi Pico with the stand-in of its core."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+
+from robosmi.transformations.knowledge.adapters.adapter_files import HAL
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
+from tests.adapters.bench import pieces
+from tests.adapters.pico import run, said
+from tests.adapters.test_files import HEADERS, KEYS
+from tests.tools import require_engine, require_tools
+
+OF_HEADERS = [header for header in HEADERS if header != HAL]
+
+
+@pytest.mark.parametrize("header", OF_HEADERS)
+def test_all_of_a_header_compile_for_the_pico(header: str, tmp_path: Path) -> None:
+    require_tools("arm-none-eabi-g++")
+    assert said([key for key in KEYS if key[0] == header], tmp_path) == ""
+
+
+def test_a_piece_that_does_not_compile_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tools("arm-none-eabi-g++")
+    broken = [replace(piece, text=f"{piece.text}\nSREG;") if piece.name == "high" else piece for piece in pieces()]
+    monkeypatch.setattr("tests.adapters.pico.pieces", lambda: tuple(broken))
+    assert "SREG" in said([("simpletools.h", "high")], tmp_path)
+
+
+@pytest.mark.parametrize("architecture", ["avr", "rp2040"])
+def test_the_layer_serves_every_name(architecture: str) -> None:
+    known = AdapterPieces(pieces(), architecture=architecture)
+    assert known.needed(KEYS, "any").unserved == {}
+
+
+def test_both_architectures_have_the_same_layer() -> None:
+    """Pieces that only pieces of their own architecture need are not part of the contract."""
+    outside = {need for piece in pieces() if piece.header != HAL for need in piece.needs if need.startswith(f"{HAL}/")}
+    of = {
+        name: {f"{HAL}/{piece.name}" for piece in pieces() if piece.header == HAL and name in piece.architectures}
+        for name in ("avr", "rp2040")
+    }
+    assert outside - of["avr"] == outside - of["rp2040"] == set()
+
+
+def test_limits_of_an_avr_board_are_not_those_of_a_pico() -> None:
+    known = AdapterPieces(pieces(), architecture="rp2040")
+    words = ("Uno", "Timer1", "1,024 bytes", "10 bits;", "12 servos")
+    limits = {key: [*piece.limits, piece.fidelity] for key in KEYS if (piece := known.variant(key, "rp2040"))}
+    assert {key: text for key, texts in limits.items() for text in texts if any(word in text for word in words)} == {}
+
+
+def test_timed_outputs_behave_at_the_pins_of_a_simulated_pico(tmp_path: Path) -> None:
+    """What the layer makes by other means than on an AVR: exact pulses, tones, slow waves, two channels, servos, memory."""
+    require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
+    require_engine("rp2040js")
+    program = """
+void setup() { Serial.begin(115200); while (!Serial) {}
+  pulse_out(3, 150); freqout(4, 50, 1000); square_wave(5, 0, 10); pwm_start(5000); pwm_set(6, 0, 1500); pwm_set(7, 1, 700);
+  servo_angle(16, 900); ee_putInt(123456, 32000); Serial.println(ee_getInt(32000)); pause(300); pwm_stop(); }
+void loop() {}
+"""
+    names = ("pulse_out", "freqout", "square_wave", "pwm_start", "pwm_set", "pwm_stop", "ee_putInt", "ee_getInt", "pause")
+    trace = run([*(f"simpletools.h/{name}" for name in names), "servo.h/servo_angle"], program, 600, tmp_path)
+    assert trace.text.strip() == "123456"
+    assert [width for _, width in trace.pulses("GP3")] == pytest.approx([150], abs=1)
+    begun = [at for at, _ in trace.pulses("GP4")]
+    assert (len(begun) - 1) / (begun[-1] - begun[0]) * 1e6 == pytest.approx(1000, rel=0.01)
+    for pin, period, width in (("GP5", 100_000, 50_000), ("GP6", 5_000, 1_500), ("GP7", 5_000, 700), ("GP16", 20_000, 1_400)):
+        pulses = trace.pulses(pin)[1:-1]  # the last one may be cut
+        assert len(pulses) >= 2, pin
+        assert [made for _, made in pulses] == pytest.approx([width] * len(pulses), abs=4), pin
+        apart = [later - at for (at, _), (later, _) in pairwise(pulses)]
+        assert apart == pytest.approx([period] * len(apart), abs=4), pin

@@ -1,0 +1,45 @@
+"""RS258: what parts give a pin must not be more than it bears."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.running import run
+
+FOLDER = Path(__file__).parent
+DIRECT = FOLDER / "drawings" / "RS258_fails" / "diagram.json"
+
+
+@pytest.mark.parametrize(
+    ("drawing", "part", "pin"),
+    [
+        ("drawings/RS258_fails", "ranger", "GP2"), ("pin_voltage/button_at_5_v", "button", "GP5"),
+        ("pin_voltage/at_board_voltage", "", ""),
+        ("drawings/RS258_holds", "", ""),
+    ],
+)  # fmt: skip
+def test_a_part_at_5_v_needs_a_divider_before_a_pin_for_less(drawing: str, part: str, pin: str) -> None:
+    outcome = run("check", FOLDER / drawing / "diagram.json", "--json")
+    found = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS258"]
+    assert [finding["evidence"]["pin"] for finding in found] == ([pin] if pin else [])
+    assert all(part in finding["message"] for finding in found)
+    assert outcome.code == (1 if pin else 0)
+
+
+def test_pins_of_5_v_boards_are_not_asked(tmp_path: Path) -> None:
+    text = DIRECT.read_text()
+    for old, new in (("wokwi-pi-pico", "wokwi-arduino-uno"), ("VBUS", "5V"), ("GND.8", "GND.1"), (":GP", ":")):
+        text = text.replace(old, new)
+    (tmp_path / "diagram.json").write_text(text)
+    assert "RS258" not in run("check", tmp_path / "diagram.json", "--json").rules()
+
+
+def test_a_migration_writes_the_sketch_all_the_same_and_exits_with_1(tmp_path: Path) -> None:
+    program = tmp_path / "ping.c"
+    program.write_text('#include "simpletools.h"\nint main() { while (1) { high(3); pause(1); low(3); pause(100); } }\n')
+    outcome = run("migrate", program, "--hardware", DIRECT, "--target", "pico", "-o", tmp_path / "out", "--json")
+    assert outcome.code == 1
+    assert "RS258" in outcome.rules()
+    assert (tmp_path / "out" / "ping" / "ping.ino").is_file()
