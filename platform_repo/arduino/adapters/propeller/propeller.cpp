@@ -412,9 +412,24 @@ inline void cog_heap(bool leaves_main, bool enters_main) {  // without an end, m
 //#   ram: 4
 static uint32_t held_up = 0;
 
+//# helper cog_pins
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: COG_SLOTS simpletools.h/Io
+//#   fidelity: which pins each cog drives; what is an output when the first cog starts is main's
+//#   ram: 6
+static uint8_t cog_pins[COG_SLOTS + 1][(NUM_DIGITAL_PINS + 7) / 8];
+
+inline void cog_pins_begin() {
+  if (cog_pins_now) return;
+  cog_pins_now = cog_pins[0];
+  for (uint8_t pin = 0; pin < NUM_DIGITAL_PINS; pin++) {
+    if (Io(pin).driven()) cog_pins[0][pin >> 3] |= 1 << (pin & 7);
+  }
+}
+
 //# helper yield
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_switch cog_overflow cog_heap held_up COG_SLOTS
+//#   needs: COG_SLOTS cog_pins simpletools.h/Io cog_table cogs_running cog_switch cog_overflow cog_heap held_up
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
 //#   stack: 65
 extern "C" inline __attribute__((used)) void yield() {
@@ -427,6 +442,7 @@ extern "C" inline __attribute__((used)) void yield() {
   while (to != from && !(cogs_running >> to & 1));
   if (to == from) return;
   cog_table.now = to;
+  cog_pins_now = cog_pins[to];
   cog_heap(!from, !to);
   uint32_t mine = held_up;
   cog_switch(&cog_table.saved[from], cog_table.saved[to]);
@@ -434,13 +450,31 @@ extern "C" inline __attribute__((used)) void yield() {
   held_up = mine;
 }
 
+//# helper cog_release
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: COG_SLOTS cog_pins simpletools.h/Io
+//#   fidelity: pins that only this cog drove become inputs; a pin that another cog drives, too, keeps its level
+inline void cog_release(uint8_t number) {
+  for (uint8_t pin = 0; pin < NUM_DIGITAL_PINS; pin++) {
+    uint8_t at = pin >> 3, bit = 1 << (pin & 7), others = 0;
+    if (!(cog_pins[number][at] & bit)) continue;
+    cog_pins[number][at] &= ~bit;
+    for (uint8_t cog = 0; cog <= COG_SLOTS; cog++) others |= cog_pins[cog][at] & bit;
+    if (others) continue;
+    Io io(pin);
+    io.drive(false);
+    io.set(false);
+  }
+}
+
 //# helper cog_stop
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running yield COG_SLOTS
+//#   needs: cog_table cogs_running yield cog_release COG_SLOTS
 //#   fidelity: a cog that stops itself does not come back
 inline void cog_stop(int32_t number) {
   if (number < 0 || number > COG_SLOTS) return;
   cogs_running &= ~(1 << number);
+  cog_release(number);
   while (!(cogs_running >> cog_table.now & 1)) yield();
 }
 
@@ -457,7 +491,7 @@ inline void cog_main() {
 
 //# helper cog_begin
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_main COG_SLOTS
+//#   needs: cog_table cogs_running cog_main cog_pins COG_SLOTS
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
@@ -468,6 +502,7 @@ inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
 #ifdef __AVR_3_BYTE_PC__
   *--top = 0;
 #endif
+  cog_pins_begin();
   cog_table.saved[number] = top - COG_SAVED - 1;
   cog_table.code[number] = code;
   cog_table.parameter[number] = parameter;
@@ -527,8 +562,7 @@ inline int32_t cogid() {
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: cog_stop
-//#   fidelity: exact; pins stay as the cog left them
-//#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+//#   fidelity: exact
 //#   stack: 69 65
 inline void cogstop(int32_t cogid) {
   cog_stop(cogid);
@@ -639,8 +673,7 @@ inline int32_t __builtin_propeller_cogid() {
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   needs: cogstop
-//#   fidelity: exact; pins stay as the cog left them
-//#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+//#   fidelity: exact
 //#   stack: 69 65
 inline void __builtin_propeller_cogstop(int32_t cogid) {
   cogstop(cogid);

@@ -134,7 +134,7 @@ inline void pwm2ch_set(pwm2ch *device, int32_t pin, int32_t channel, int32_t tHi
   if (!(device->channels & bit)) {
     digitalWrite(pin, LOW);
     io.set(false);
-    io.drive(true);
+    io.drive_for_library();
   }
   device->pin[place] = pin;
   device->out[place] = io.out;

@@ -9,6 +9,7 @@
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
 //#   ram: 3
 static uint8_t latches[(NUM_DIGITAL_PINS + 7) / 8];
+static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
 
 struct Io {  // one pin, ready for access to its registers
   uint8_t pin, mask;
@@ -40,8 +41,15 @@ struct Io {  // one pin, ready for access to its registers
     else latches[pin >> 3] &= ~bit;
     if (driven()) put(out, value);
   }
+  void own(bool output) const {  // the cog that runs drives the pin, or no longer does
+    if (!cog_pins_now) return;
+    uint8_t bit = 1 << (pin & 7);
+    if (output) cog_pins_now[pin >> 3] |= bit;
+    else cog_pins_now[pin >> 3] &= ~bit;
+  }
   void drive(bool output) const {
     if (!wired()) return;
+    own(output);
     if (output) {
       put(out, latch());
       put(direction, true);
@@ -49,6 +57,10 @@ struct Io {  // one pin, ready for access to its registers
       put(direction, false);
       put(out, false);
     }
+  }
+  void drive_for_library() const {  // whose own cog goes on when the caller ends
+    drive(true);
+    if (wired()) own(false);
   }
 };
 
@@ -990,7 +1002,7 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
   it.next_end = io.wired() ? pwm_counts(microseconds) : 0;
   SREG = old;
   if (moved) before.drive(false);
-  if (pwm_cycle && !same) io.drive(true);  // which would cut a pulse
+  if (pwm_cycle && !same) io.drive_for_library();  // which would cut a pulse
 }
 
 //# adapter pwm_start
@@ -1014,7 +1026,7 @@ inline int32_t pwm_start(uint32_t cycleMicroseconds) {
   for (volatile PwmChannel &channel : pwm_channels) {
     if (!channel.out) continue;
     channel.end = channel.next_end = pwm_counts(channel.microseconds);
-    Io(channel.pin).drive(true);
+    Io(channel.pin).drive_for_library();
   }
   TCCR1A = 0;
   TCCR1B = _BV(WGM12) | (slow ? _BV(CS11) | _BV(CS10) : _BV(CS11));  // up to OCR1A, again and again
@@ -1623,7 +1635,6 @@ inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
 //#   kind: semantic
 //#   needs: propeller.h/cog_stop
 //#   fidelity: exact; nothing happens where no cog was started
-//#   limit: pins that only this cog drove go on being driven; there they become inputs
 //#   stack: 69 65
 template <class Number>
 inline void cog_end(Number *coginfo) {
