@@ -183,7 +183,8 @@ void setup() {
   Serial.print(DDRD >> 6 & 3); Serial.print(DDRB & 1); delay(5);
   Serial.print(DDRD >> 6 & 3); cog_end(cog); Serial.print(DDRD >> 6 & 3); Serial.print(PORTD >> 6 & 3);
   Serial.print(DDRB & 1); Serial.print(PORTB & 1); (void)other;
-  other = cogstart(pump, 0, stack, sizeof stack); delay(1); Serial.print(DDRD >> 6 & 3); cogstop(other); Serial.print(DDRD >> 6 & 3);
+  other = cogstart(pump, 0, stack, sizeof stack); delay(1); Serial.print(DDRD >> 6 & 3);
+  cogstop(other); Serial.print(DDRD >> 6 & 3);
 } void loop() { delay(1); }
 """
     uses = ["simpletools.h/cog_run", "simpletools.h/cog_end", "propeller.h/cogstart", "propeller.h/cogstop", "simpletools.h/high"]
