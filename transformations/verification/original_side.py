@@ -92,8 +92,8 @@ _SCALED = 2
 """Number of varied runs, the first ones, that differ only in the costs of all steps: higher in one, lower in the other."""
 _FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * (seed % 3) / 2) for seed in range(6, 16))
 """Further varied runs for a scenario in which the migrated program differs: with noise, and with inputs moved by other times in
-each; in the first two all inputs are moved by the greatest time, earlier and later, in the next two by a pass of the program's loop,
-if that is longer.
+each; in the first two all inputs are moved by the greatest time, earlier and later, in the next two by a pass of the program's
+loop, if that is longer.
 """
 _FEWEST_PASSES = 4
 _LONGEST_PASS_MS = 200.0
@@ -351,7 +351,7 @@ def run_further(
     until = used_s() + limit_s
     channels, rests = runs.channels, runs.rests
     ways = [-MOVED_MS, MOVED_MS]
-    if (pass_ms := _pass_ms(library_calls(program, devices, 0, scenario.horizon_ms * 1000, limit_s))) > MOVED_MS:
+    if (pass_ms := longest_pass_ms(library_calls(program, devices, 0, scenario.horizon_ms * 1000, limit_s))) > MOVED_MS:
         ways += [-pass_ms, pass_ms]
     for number, variation in enumerate(_FURTHER):
         chance = random.Random(variation.seed)
@@ -365,7 +365,7 @@ def run_further(
     return replace(runs, channels=channels, rests=rests)
 
 
-def _pass_ms(calls: Sequence[LibraryCall]) -> float:
+def longest_pass_ms(calls: Sequence[LibraryCall]) -> float:
     """The longest time between two calls from one place, which is how late a program that polls may see a change; 0 without."""
     places: dict[tuple[str, str, int], list[float]] = {}
     for call in calls:
