@@ -16,7 +16,7 @@ import robosmi
 from robosmi.verify import simulation
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests import emf_judge, running, tools
-from tests.tiers import Reach, one_of_each
+from tests.tiers import Reach, one_of_each, sample
 
 ROOT = Path(__file__).parents[1]
 
@@ -141,7 +141,20 @@ def test_plain(): pass  # the last one, after which the browser ends
     [
         ("check", {"plain", "kill_of_nothing", "unannounced", "caught"}),
         ("test", {"plain", "kill_of_nothing", "unannounced", "caught", "shown", "with_a_browser", "of_a_fixture", "marked"}),
-        ("all", {"plain", "kill_of_nothing", "unannounced", "caught", "shown", "with_a_browser", "of_a_fixture", "marked", "exhaustive"}),
+        (
+            "all",
+            {
+                "plain",
+                "kill_of_nothing",
+                "unannounced",
+                "caught",
+                "shown",
+                "with_a_browser",
+                "of_a_fixture",
+                "marked",
+                "exhaustive",
+            },
+        ),
     ],
 )
 def test_a_tier_has_its_tests_and_fails_those_that_start_processes_unannounced(tier: str, run: set[str], tmp_path: Path) -> None:
@@ -152,13 +165,22 @@ def test_a_tier_has_its_tests_and_fails_those_that_start_processes_unannounced(t
     done = subprocess.run(
         command, cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True, check=False
     )
-    outcomes = {line.split("::test_")[1].split()[0]: line.split()[0] for line in done.stdout.splitlines() if line.startswith(STATES)}
+    outcomes = {
+        line.split("::test_")[1].split()[0]: line.split()[0] for line in done.stdout.splitlines() if line.startswith(STATES)
+    }
     assert {name for name, state in outcomes.items() if state != "PASSED"} == {"unannounced", "caught"}
     assert outcomes.keys() == run
     assert "starts or kills a process (subprocess.Popen: ['true'])" in done.stdout
 
 
 STATES = ("PASSED ", "FAILED ", "ERROR ")
+
+
+def test_a_sample_comes_from_all_over_and_the_others_are_exhaustive() -> None:
+    chosen = sample([("uno", number) for number in range(6)], 2)
+    assert [each.values for each in chosen if not each.marks] == [("uno", 0), ("uno", 3)]
+    assert [each.values for each in chosen] == [("uno", number) for number in range(6)]
+    assert {mark.name for each in chosen for mark in each.marks} == {"exhaustive"}
 
 
 def test_one_of_each_kind_is_a_sample_and_the_others_are_exhaustive() -> None:

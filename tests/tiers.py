@@ -56,6 +56,17 @@ def one_of_each(values: Iterable[T], kind: Callable[[T], object]) -> list[Any]:
     return found
 
 
+def sample(values: Iterable[T], most: int) -> list[Any]:
+    """Values for `parametrize`: so many of them, from all over, as they are, the others for the tier `all` alone.
+
+    A tuple holds the values of several arguments.
+    """
+    every = list(values)
+    chosen = {number * len(every) // most for number in range(most)}
+    marks = [() if number in chosen else (pytest.mark.exhaustive,) for number in range(len(every))]
+    return [pytest.param(*(e if isinstance(e, tuple) else (e,)), marks=m) for e, m in zip(every, marks, strict=True)]
+
+
 def examples(most: int, **more: Any) -> settings:
     """Settings of hypothesis: so many examples in the tier `all`, an eighth of them in the others."""
     return settings(max_examples=most if _chosen == "all" else max(10, most // 8), deadline=None, **more)

@@ -63,6 +63,7 @@ _CONTENT = {
     ("view", "http://robosmi.org/migration/2#MigrationPlan"): "m2t.notebook_views:plan_html",
     ("engine", "simavr"): "verification.engines.simavr:Simavr",
     ("engine", "avr8js"): "verification.engines.avr8js:Avr8js",
+    ("engine", "rp2040js"): "verification.engines.rp2040js:Rp2040js",
     ("device", "answering_line"): "verification.devices.serial_line:AnsweringLine",
     ("device", "capacitor"): "verification.devices.capacitor:Capacitor",
     ("device", "dht22"): "verification.devices.dht22:Dht22",

@@ -105,7 +105,8 @@ class Uno:
         the pieces that `uses` (`header/name`) need behind what comes first, then the program with their statements in `setup`.
         """
         known = AdapterPieces(
-            replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
+            (replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()),
+            architecture="avr",
         )
         needed = known.needed([(header, name) for header, name in (use.rsplit("/", 1) for use in uses)], "atmega328p")
         if needed.unserved:

@@ -82,7 +82,8 @@ class UnoInC(Uno):
     def sketch(self, program: str, uses: Sequence[str], first: str = "") -> str:
         """The text of a C program: the pieces that `uses` (`header/name`) need, then what a program for the core becomes."""
         known = AdapterPieces(
-            replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
+            (replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()),
+            architecture="avr",
         )
         wanted = [*uses, "propeller.h/clock_wait"]
         needed = known.needed([(header, name) for header, name in (use.rsplit("/", 1) for use in wanted)], "atmega328p")
@@ -118,7 +119,7 @@ class UnoInC(Uno):
 
 def alone(key: tuple[str, str], mcu: str, folder: Path) -> str:
     """The compiler's messages about one adapter with just what it needs; empty if the microcontroller cannot serve it."""
-    needed = AdapterPieces(pieces()).needed([key], mcu)
+    needed = AdapterPieces(pieces(), architecture="avr").needed([key], mcu)
     if needed.unserved:
         return ""
     text = adapter_text([adapter_element(piece) for piece in needed.pieces], {}, NO_PIN)

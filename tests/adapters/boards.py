@@ -32,7 +32,7 @@ def kinds_of_boards() -> dict[tuple[str, int, str, str], list[str]]:
 def said(header: str, mcu: str, clock: int, variant: str, define: str, folder: Path) -> str:
     """The compiler's messages about all adapters of a header that a kind of board can serve."""
     wanted = {key for key in KEYS if key[0] == header}
-    needed = AdapterPieces(pieces()).needed(sorted(wanted), mcu)
+    needed = AdapterPieces(pieces(), architecture="avr").needed(sorted(wanted), mcu)
     (folder / "adapters.cpp").write_text(program(needed.pieces, wanted - needed.unserved.keys()))
     options = [word for word in DEFINES if not word.startswith("-DF_CPU")]
     options += [f"-DF_CPU={clock}L", f"-DARDUINO_{define}", f"-mmcu={mcu}", f"-I{CORE / 'variants' / variant}", *folders(mcu)]

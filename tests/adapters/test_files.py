@@ -14,7 +14,7 @@ from pathlib import Path
 import clang.cindex
 import pytest
 
-from robosmi.transformations.knowledge.adapters.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_files import HAL, read_adapter_file
 from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
@@ -70,14 +70,14 @@ def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
 @pytest.mark.parametrize("header", HEADERS)
 def test_all_of_a_header_compile_together(header: str, mcu: str, tmp_path: Path) -> None:
     wanted = {key for key in KEYS if key[0] == header}
-    known = AdapterPieces(pieces())
+    known = AdapterPieces(pieces(), architecture="avr")
     needed = known.needed(sorted(wanted), mcu)
     assert warnings(program(needed.pieces, wanted - needed.unserved.keys()), mcu, tmp_path) == ""
 
 
 def alone(key: tuple[str, str], mcu: str, folder: Path) -> str:
     """The compiler's messages about one adapter with just what it needs; empty if the microcontroller cannot serve it."""
-    needed = AdapterPieces(pieces()).needed([key], mcu)
+    needed = AdapterPieces(pieces(), architecture="avr").needed([key], mcu)
     return warnings(program(needed.pieces, {key}), mcu, folder) if not needed.unserved else ""
 
 
@@ -89,10 +89,12 @@ def test_some_compile_alone(header: str, tmp_path: Path) -> None:
 
 
 @cache
-def uses(header: str, members: tuple[str, ...] = (), calls: tuple[str, ...] = ()) -> dict[tuple[str, str], set[tuple[str, str]]]:
+def uses(
+    header: str, members: tuple[str, ...] = (), calls: tuple[str, ...] = (), only: str = ""
+) -> dict[tuple[str, str], set[tuple[str, str]]]:
     """Piece of a header -> the other pieces that it names, according to libclang, in a program with these members and calls."""
-    wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header]
-    needed = AdapterPieces(pieces(), members, calls).needed(wanted, "atmega328p").pieces
+    wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header and only in ("", piece.name)]
+    needed = AdapterPieces(pieces(), members, calls, "avr").needed(wanted, "atmega328p").pieces
     text = f"#include <Arduino.h>\n{adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)}"
     arguments = ["-target", "avr", "-mmcu=atmega328p", *DEFINES, "-nostdinc", "-isystem/usr/lib/avr/include"]
     arguments += [*folders("atmega328p"), *(f"-isystem{path}" for path in glob.glob("/usr/lib/gcc/avr/*/include"))]
@@ -135,11 +137,12 @@ def uses(header: str, members: tuple[str, ...] = (), calls: tuple[str, ...] = ()
 
 def faults(piece: AdapterPiece) -> list[str]:
     """Where what a piece declares differs from what its text uses; nothing for another microcontroller's piece."""
-    if piece.mcus and "atmega328p" not in piece.mcus:
+    if (piece.mcus and "atmega328p" not in piece.mcus) or (piece.architectures and "avr" not in piece.architectures):
         return []
-    known = AdapterPieces(pieces())
+    alone = piece.name if piece.header == HAL else ""  # pieces of the hardware layer may exclude each other
+    known = AdapterPieces(pieces(), architecture="avr")
     declared = {key for name in piece.needs if (key := known.key(name, piece.header))}
-    used = uses(piece.header, tuple(piece.members), tuple(piece.beside))[piece.header, piece.name]
+    used = uses(piece.header, tuple(piece.members), tuple(piece.beside), alone)[piece.header, piece.name]
     found = [f"uses {'/'.join(key)}, which it does not declare" for key in sorted(used - declared)]
     found += [f"declares {'/'.join(key)}, which it does not use" for key in sorted(declared - used)]
     declared_names = [

@@ -57,7 +57,9 @@ def test_some_adapters_in_c_compile_alone(key: tuple[str, str], tmp_path: Path) 
 
 
 def test_a_32u4_plays_tones_with_a_timer_that_it_has(tmp_path: Path) -> None:
-    needed = AdapterPieces(pieces()).needed([("simpletools.h", "freqout"), ("simpletools.h", "pause")], "atmega32u4")
+    needed = AdapterPieces(pieces(), architecture="avr").needed(
+        [("simpletools.h", "freqout"), ("simpletools.h", "pause")], "atmega32u4"
+    )
     assert not needed.unserved
     text = adapter_text([adapter_element(piece) for piece in needed.pieces], {}, NO_PIN)
     setup = "".join(f"{statement} " for piece in needed.pieces for statement in piece.setup)

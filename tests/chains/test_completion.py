@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -128,10 +129,10 @@ def test_what_is_chosen_or_ticked_on_the_page_is_generated_once(robot: Path, run
     assert dict(runs) == ONCE
 
 
-def test_a_verdict_is_added_to_the_report_of_the_same_program(tmp_path: Path, examples: Path, runs: Counter[str]) -> None:
+def test_a_verdict_is_added_to_the_report_of_the_same_program(tmp_path: Path, runs: Counter[str]) -> None:
     require_verification()
-    program = examples / "line_follower" / "line_follower.c"
-    outcome = run("migrate", program, "-o", tmp_path / "out", "--verify", "--json")
+    shutil.copytree(PROGRAM.parents[3] / "verification" / "programs", tmp_path / "in")
+    outcome = run("migrate", tmp_path / "in" / "button.c", "-o", tmp_path / "out", "--verify", "--json")
     assert {"RS850", "RS851", "RS852"} & outcome.rules()
     assert dict(runs) == {"program": 1, "report": 2}
 

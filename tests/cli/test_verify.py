@@ -7,10 +7,15 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
+from robosmi.transformations.chains.verify import verify
+from robosmi.transformations.verification.search.scenario_search import search
+from robosmi.transformations.verification.search.stored_search import FILE
+from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
 from tests.running import run, tree
 from tests.tools import require_verification
 
@@ -132,10 +137,54 @@ def test_scenarios_are_made_stored_and_used_again(out: Path) -> None:
     assert result["source_coverage"]["branches_pct"] == 100.0
     stored = sorted((out / "models" / "scenarios").glob("*.toml"))
     assert len(stored) == len(result["scenarios"]) > 1
-    assert [a["kind"] for a in outcome.document["artifacts"] if a["kind"] != "picture"] == ["scenario"] * len(stored)
+    kinds = [a["kind"] for a in outcome.document["artifacts"] if a["kind"] != "picture"]
+    assert kinds == ["scenario"] * len(stored) + ["search"]
     again = run("verify", out, "--json").result
     assert {s["origin"] for s in again["scenarios"]} == {"stored"}
     assert sorted((out / "models" / "scenarios").glob("*.toml")) == stored
+
+
+@pytest.fixture
+def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """An entry for each search for scenarios, with its seed."""
+    seeds: list[int] = []
+
+    def counted(*settings: Any) -> Any:
+        seeds.append(settings[4])
+        return search(*settings)
+
+    monkeypatch.setattr("robosmi.transformations.chains.verify.search", counted)
+    return seeds
+
+
+def test_an_edit_of_the_sketch_needs_no_new_search(out: Path, searches: list[int]) -> None:
+    first = verify(out)
+    sketch = out / "button" / "button.ino"
+    text = sketch.read_text()
+    sketch.write_text(text.replace("presses++;", "presses = presses + 1;"))
+    again = verify(out)
+    assert searches == [1]
+    told = ("branches_pct", "lines_pct", "racy", "racy_branches", "missed_branches")
+    assert [getattr(again.verdict, name) for name in told] == [getattr(first.verdict, name) for name in told]
+    assert again.verdict.verdict == NO_DIFFERENCE
+    sketch.write_text(text.replace("presses++;", "presses += 2;"))
+    assert verify(out).verdict.verdict == DIFFERENT_VERDICT
+    assert searches == [1]
+
+
+def test_what_the_search_depends_on_makes_it_search_again(out: Path, searches: list[int]) -> None:
+    verify(out)
+    folder = out / "models" / "scenarios"
+    stored = sorted(folder.glob("*.toml"))
+    verify(out, seed=2)
+    assert searches == [1, 2]
+    stored[-1].unlink()
+    verify(out, seed=2)
+    assert searches == [1, 2, 2]
+    for damaged in ("{", "[]", '{"search": 1}'):
+        (folder / FILE).write_text(damaged)
+        verify(out, seed=2)
+    assert searches == [1, 2, 2, 2, 2, 2]
 
 
 def test_two_runs_at_once_store_each_scenario_once(out: Path, tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.running import run
+from tests.tiers import sample
 from tests.tools import require_verification
 
 PROGRAMS = {
@@ -60,7 +61,7 @@ BINDINGS = {
 EDITS = {"modes": ("% 4", "% 5"), "held": ("t < 1200", "t < 1260"), "keys": ("9, 42, 0, 35", "9, 0, 42, 35")}
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", sample(PROGRAMS, 1))
 def test_what_only_such_presses_show_is_noticed(name: str, tmp_path: Path) -> None:
     require_verification("simavr")
     (tmp_path / f"{name}.c").write_text(PROGRAMS[name])

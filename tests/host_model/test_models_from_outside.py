@@ -14,6 +14,7 @@ from robosmi.inputs import DATA, read_bytes
 from robosmi.transformations.verification.originals import original_program
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.original_run import OriginalRun, run_original
+from tests.tiers import sample
 from tests.tools import require_verification
 
 OUTSIDE = Path(__file__).parent / "outside"
@@ -31,7 +32,7 @@ def ran(source: Path, folder: Path) -> OriginalRun:
     return run_original(original_program([source], load_host_model("propeller"), folder), 1e6)
 
 
-@pytest.mark.parametrize("place", ["project", "path", "home"])
+@pytest.mark.parametrize("place", sample(["project", "path", "home"], 1))
 def test_a_model_is_found_wherever_data_is_looked_for(place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     source = tmp_path / "program.c"

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from itertools import pairwise
+from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,7 @@ from robosmi.transformations.queries.plans.choices import choices_json
 from tests.page.browsers import Served, task_seconds
 from tests.page.conftest import AXE
 from tests.running import run, tree
+from tests.tiers import sample
 from tests.tools import require_tools
 
 BLINK = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
@@ -305,8 +306,7 @@ def test_many_findings_and_long_programs_scroll_without_a_long_task(migrated: Mi
     assert max(steps[1:]) <= 50, steps  # the first one ends what loading has begun
 
 
-@pytest.mark.parametrize("size", [(1280, 900), (360, 740)])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize(("scheme", "size"), sample(product(["light", "dark"], [(1280, 900), (360, 740)]), 1))
 def test_axe_finds_nothing(scheme: str, size: tuple[int, int], migrated: Migrated, serve: Serve, tmp_path: Path) -> None:
     require_tools("axe-core")
     _, _, out = migrated("line_follower")

@@ -132,6 +132,7 @@ def test_it_is_a_ranker_and_a_limit_keeps_the_first() -> None:
         ranking.rank(SERVO, limit=0)
 
 
+@pytest.mark.exhaustive
 def test_the_confidence_is_calibrated(data: Labelled) -> None:
     """Cross-validated over queries where the ranker is wrong often enough to measure it: with the tables left out."""
     from tests.recommend.evaluate import _mean_brier, brier, cross_validated

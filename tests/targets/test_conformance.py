@@ -6,6 +6,7 @@ from the stored models, and compiled with the target's own toolchain.
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -20,6 +21,8 @@ from tests.tools import require_tools
 
 PROGRAM = Path(__file__).parent / "program"
 TARGETS = target_names()
+LABELS = {"rp2040": "GP"}
+"""What boards with a microcontroller call their pins, if not D0, D1 ..."""
 
 
 @pytest.fixture(scope="module")
@@ -33,9 +36,18 @@ def output(target: str, moved: dict[str, Path]) -> Path:
     if target not in moved:
         folder = moved[""] / target
         shutil.copytree(PROGRAM, folder / "input")
+        for name in ("wiring.csv", "robosmi.toml"):
+            path = folder / "input" / name
+            path.write_text(re.sub(r"\bD(\d)\b", rf"{_letters(target)}\1", path.read_text()))
         robosmi.migrate([folder / "input" / "beacon.c"], folder / "out", target=target)
         moved[target] = folder / "out"
     return moved[target]
+
+
+def _letters(target: str) -> str:
+    chip = target_facts(target).board_model.microcontroller
+    assert chip is not None
+    return LABELS.get(str(chip.name), "D")
 
 
 def test_all_boards_of_the_repository_are_targets() -> None:
@@ -71,7 +83,9 @@ def test_a_program_is_moved_and_a_second_run_changes_nothing(target: str, moved:
     models = load_models(made / "models" / "plan.xmi")
     assert [t.name for t in models.repository.targets] == [target]
     assert models.plan.board is models.repository.targets[0].board
-    assert [c.pin.label if c.pin else "" for c in models.plan.connections] == ["D3", "D5", "A0"]
+    d = _letters(target)
+    wired = [(c.pin.label, *c.pin.aliases) for c in models.plan.connections if c.pin]
+    assert [label in names for label, names in zip([f"{d}3", f"{d}5", "A0"], wired, strict=True)] == [True] * 3
     assert not any(b.open for b in models.plan.portBindings)
     main = made / "beacon" / f"beacon{facts.model.fileSuffix}"
     assert main.is_file()
@@ -85,7 +99,7 @@ def test_a_program_is_moved_and_a_second_run_changes_nothing(target: str, moved:
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_what_was_made_compiles_and_fits(target: str, moved: dict[str, Path]) -> None:
-    require_tools("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr")
+    require_tools("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr", "arm-none-eabi-g++")
     report = robosmi.compile_sketch(output(target, moved))
     assert [str(d) for d in report.diagnostics if d.severity.name == "error"] == []
     assert report.ok

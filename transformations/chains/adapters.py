@@ -85,10 +85,10 @@ def list_adapters(target: str | None = None, source: str | None = None) -> Adapt
         target: name of the target; that of the project or the default if None.
         source: name of the source platform, likewise.
     """
-    index, api = _of(target, source)
+    index, api, architecture = _of(target, source)
     rows: list[dict[str, Json]] = []
     for header in index.headers:
-        known = [piece for pieces in index.of(header) for piece in pieces if piece.kind == "adapter"]
+        known = _adapters(index, header, architecture)
         first = {piece.name: piece for piece in reversed(known)}
         rows += [_row(index, piece) for _, piece in sorted(first.items())]
         rows += [_row_without(index, header, name) for name in api.functions_of(header) if name not in first]
@@ -101,14 +101,13 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
     Raises:
         UsageError: the source platform has no function of that name.
     """
-    index, api = _of(target, source)
+    index, api, architecture = _of(target, source)
     header, _, function = name.rpartition("/")
     pieces = [
         piece
         for each in ([header] if header else index.headers)
-        for group in index.of(each)
-        for piece in group
-        if piece.kind == "adapter" and piece.name == function
+        for piece in _adapters(index, each, architecture)
+        if piece.name == function
     ]
     if not pieces and (without := [h for h in ([header] if header else index.headers) if function in api.functions_of(h)]):
         return AdapterReport([_row_without(index, each, function) | _to_write(api, each, function) for each in without])
@@ -120,13 +119,19 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
     return AdapterReport([_row(index, piece) | _whole(index, piece) for piece in pieces])
 
 
-def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]:
-    """The adapter files and the source platform that apply in the current folder."""
+def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex, str]:
+    """The adapter files, the source platform and the target's architecture that apply in the current folder."""
     settings = load_project(Path())
     facts = target_facts(target or settings.target or default_text("migrate", "target"))
     api = ApiIndex.load(source or settings.source_platform or default_text("migrate", "source_platform"))
     beside = settings.path.parent if settings.path is not None else None
-    return adapter_index(facts.platform, api.name, beside=beside, language=facts.language), api
+    return adapter_index(facts.platform, api.name, beside=beside, language=facts.language), api, facts.architecture
+
+
+def _adapters(index: AdapterIndex, header: str, architecture: str) -> list[AdapterPiece]:
+    """The adapters of a header on an architecture, the effective one of each function first."""
+    pieces = [piece for group in index.of(header) for piece in group if piece.kind == "adapter"]
+    return [piece for piece in pieces if not piece.architectures or architecture in piece.architectures]
 
 
 def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
@@ -147,7 +152,7 @@ def _to_write(api: ApiIndex, header: str, name: str) -> dict[str, Json]:
     """The known facts about a function without an adapter."""
     return {
         "signatures": [api.signature(name, api.declared(header)[name])], "fidelity": "", "needs": [], "mcus": [],
-        "path": None, "line": None, "text": "",
+        "architectures": [], "path": None, "line": None, "text": "",
     }  # fmt: skip
 
 
@@ -158,11 +163,12 @@ _PORT = "//# port: CONSTANT = LIBRARY.NAME NUMBER digital out"
 
 
 def _whole(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
-    known = AdapterPieces(index)
+    known = AdapterPieces(index)  # names are looked up, no variant is chosen
     needs = ["/".join(known.key(name, piece.header) or [name]) for name in piece.needs]
     return {
         "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": needs, "mcus": list(piece.mcus),
-        "path": piece.location.path, "line": piece.location.line, "text": piece.text,
+        "architectures": list(piece.architectures), "path": piece.location.path, "line": piece.location.line,
+        "text": piece.text,
     }  # fmt: skip
 
 

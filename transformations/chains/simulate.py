@@ -96,7 +96,9 @@ class Simulated(Struct):
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
         names = [f"'{each.name}'" for each in self.compiled.libraries if each.source == STAND_IN]
-        if names:
+        if self.compiled.stand_in_core:
+            lines.append(f"  with a stand-in for the missing core {self.compiled.stand_in_core}")
+        elif names:
             lines.append(f"  with stand-ins for missing libraries: {', '.join(names)}")
         if trace.state != "running":
             lines.append("  the program ended" if trace.state == "done" else "  the program crashed")
@@ -189,13 +191,13 @@ def simulate(
     ports = bound_ports(models.plan, plan_file.parent) if models is not None and plan_file is not None else []
     with temporary_folder("simulate") as folder:
         report = compile_sketch(output, keep=Path(folder))
-        if not report.ok or report.elf is None or report.hex is None:
+        if not report.ok or report.elf is None:
             return Simulated(report)
         stored = models.plan.board if models is not None else None
         board = stored if stored is not None and stored.name == report.board else load_board(report.board)
         devices = played(ports if models is not None else _bare(board, asked), asked, target=True)
         announce(f"simulate {horizon_us / 1e6:g} s")
-        trace = run_job(job(report.elf, report.hex, board, horizon_us, devices), engine)
+        trace = run_job(job(report.elf, report.hex or report.elf, board, horizon_us, devices), engine)
     if vcd is not None:
         try:
             write_atomic(vcd, vcd_text({str(board.name): trace}, f"{output} on {trace.engine}").encode())

@@ -48,6 +48,7 @@ from robosmi.transformations.verification.original_side import (
 )
 from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
+from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.original_build import OriginalProgram
@@ -180,7 +181,7 @@ def verify(
         called = {str(use.name) for use in plan.adapterUses}
         verdict.not_compared += [what for what, functions in program.model.stored.items() if called.intersection(functions)]
         cases, made = _cases(
-            program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
+            program, ports, models, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
         )
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
@@ -206,6 +207,8 @@ def verify(
         cover(verdict, program, [each.runs for each in kept], made.racy_counts, plan, output, ports)
         files = VerifiedFiles()
         files.store_scenarios(made.new, plan_file.parent / FOLDER)
+        if made.search is not None:
+            files.store_search(made.search, verdict.racy, made.racy_counts, plan_file.parent / FOLDER)
         if kept:
             shown = kept[_shown(verdict)]
             files.write_picture(plan_file.parent / PICTURE, shown)
@@ -279,10 +282,12 @@ def _original(models: MigrationModels, place: Path, trusted: bool = False) -> Or
 class _Made(Struct):
     new: list[Scenario] = []
     racy_counts: list[bytes] = []
+    search: str | None = None
+    """Digest of a search that another run need not repeat."""
 
 
 def _cases(
-    program: OriginalProgram, ports: list[BoundPort], plan: migration.MigrationPlan, given: list[Scenario], stored: Path,
+    program: OriginalProgram, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
     seed: int | None, verdict: Verdict, budget_s: float,
 ) -> tuple[list[Case], _Made]:  # fmt: skip
     """The scenarios with their runs of the source: only the given ones, or else the stored and generated ones."""
@@ -295,11 +300,18 @@ def _cases(
     made = _Made()
     if given or seed is None:
         return cases, made
-    known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))
+    plan = models.plan
     assert plan.program is not None
     steps = most_steps(plan.program)
-    texts, numbers = texts_understood(plan), numbers_understood(plan)
-    found = search(program, ports, texts, reads_console(plan), seed, known, budget_s, steps, numbers)
+    texts, numbers, types = texts_understood(plan), numbers_understood(plan), reads_console(plan)
+    sources = {str(entry.path): models.files[entry.path] for entry in plan.inputs if entry.kind == "source"}
+    digest = search_digest(program, sources, ports, texts, types, seed, budget_s, steps, numbers)
+    if (ended := stored_search(stored, digest, program)) is not None:
+        verdict.racy, made.racy_counts = ended.racy, ended.racy_counts
+        return cases, made
+    known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))
+    found = search(program, ports, texts, types, seed, known, budget_s, steps, numbers)
+    made.search = digest if found.repeatable else None
     fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal, ports) <= known]
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts

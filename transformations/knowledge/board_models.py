@@ -79,7 +79,8 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     pins = [_pin(entry, timers) for entry in table.tables("pins")]
     if (chip_file := _chip_file(str(chip.name), project)) is not None:
         check_ports(pins, text_of(path), table, table_of(chip_file))
-    check_names(pins, table)
+    shared = chip_file is not None and table_of(chip_file).flag("shared_channels", False)
+    check_names(pins, table, shared)
     labels = [pin.label for pin in pins]
     if (led := table.text("led", "")) and led not in labels:
         raise table.error("led", f"is '{led}', which is not a pin of this board{did_you_mean(led, labels)}")
@@ -425,18 +426,20 @@ def check_ports(pins: Iterable[platform.Pin], text: str, board: DataTable, chip:
             )
 
 
-def check_names(pins: Sequence[platform.Pin], board: DataTable) -> None:
+def check_names(pins: Sequence[platform.Pin], board: DataTable, shared_channels: bool = False) -> None:
     """Refuse a label, port or output of a timer that two pins have, and an alias that is another pin's name.
 
     Args:
         pins: of the board.
         board: the board's file.
+        shared_channels: whether an output of a timer may come out at several pins.
 
     Raises:
         PlatformDataError: two pins have the same.
     """
     labels, ports = [str(pin.label) for pin in pins], [str(pin.port) for pin in pins if pin.port]
-    for values in (labels, ports, [f"{pin.timer} channel {pin.channel}" for pin in pins if pin.timer]):
+    channels = [f"{pin.timer} channel {pin.channel}" for pin in pins if pin.timer and not shared_channels]
+    for values in (labels, ports, channels):
         if twice := {value for value in values if values.count(value) > 1}:
             raise board.error("pins", f"has {', '.join(sorted(twice))} twice")
     for pin in pins:

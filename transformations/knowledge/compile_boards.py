@@ -63,6 +63,7 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         signature=str(chip.signature),
         file=mapping_file(platform_name, str(board.name), project),
         claims=board_claims(platform_name, board, mapping, project),
+        architecture=str(chip.architecture),
     )  # fmt: skip
 
 

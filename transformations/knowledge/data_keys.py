@@ -22,7 +22,7 @@ OF_SOURCES = tuple(PlatformSettings.__annotations__)
 """Keys in the `platform.toml` of a source platform; a platform may be both."""
 OF_MICROCONTROLLERS = (
     "name", "title", "architecture", "ports", "flash_bytes", "ram_bytes", "signature", "pin_ma", "total_ma", "timers",
-    "buses", "takes",
+    "buses", "takes", "shared_channels",
 )  # fmt: skip
 """Keys of `mcus/NAME.toml`."""
 TAKES = ("functions", "libraries", "parts", "timers", "pins", "buses", "when", "ram_bytes")

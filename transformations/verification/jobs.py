@@ -12,25 +12,29 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import resources
+from robosmi.base.data_tables import DataTable
 from robosmi.errors import PlatformDataError, UsageError
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.verify.simulation import DeviceUse, Job
 
-_DATA = "simulation/avr.toml"
+_DATA = ("simulation/avr.toml", "simulation/rp2040.toml")
 _ANALOG = re.compile(r"A(\d+)")
-_PORT = re.compile(r"P([A-Z]\d)")
+_PORT = r"P([A-Z]\d)"
+"""A port, and what engines call it; data may say otherwise (`ports`)."""
 
 
 @cache
-def _facts() -> tuple[Path, Mapping[str, Any]]:
-    path = resources.find("platform_repo", _DATA)
-    return path, read_data(path)
+def _facts() -> Mapping[str, tuple[Path, Mapping[str, Any]]]:
+    """Microcontroller -> the file that describes it, and what it says."""
+    paths = [resources.find("platform_repo", name) for name in _DATA]
+    tables = [DataTable(path, read_data(path)) for path in paths]
+    return {mcu: (table.path, table.table(mcu).values) for table in tables for mcu in table.values}
 
 
 def shows_console(mcu: str) -> bool:
     """Whether simulators of a microcontroller show what a program prints."""
-    return bool(_facts()[1].get(mcu, {}).get("console", True))
+    return mcu not in _facts() or bool(_facts()[mcu][1].get("console", True))
 
 
 def job(
@@ -51,17 +55,26 @@ def job(
         PlatformDataError: its description lacks a key.
     """
     mcu = board.microcontroller.name if board.microcontroller is not None else ""
-    path, known = _facts()
+    known = _facts()
     if mcu not in known:
         raise UsageError(f"no simulator data for the microcontroller '{mcu}'", fix=f"use one of: {', '.join(sorted(known))}")
+    path, facts = known[mcu]
     try:
-        channels, timers = known[mcu]["analog"], known[mcu]["timers"]
+        channels, timers = facts["analog"], facts["timers"]
     except KeyError as error:
         raise PlatformDataError(f"'{mcu}' in {path} lacks {error}", fix="add it") from None
-    pins = {pin.label: found[1] for pin in board.pins if (found := _PORT.fullmatch(pin.port))}
-    numbers = {label: int(found[1]) for label in pins if (found := _ANALOG.fullmatch(label))}
+    pattern = re.compile(str(facts.get("port_pattern", _PORT)))
+    pins = {str(pin.label): found[1] for pin in board.pins if (found := pattern.fullmatch(str(pin.port)))}
+    numbers = {str(pin.label): number for pin in board.pins if pin.label in pins and (number := _input(pin)) is not None}
     analog = {label: channels[number] for label, number in numbers.items() if number < len(channels)}
     supply = round(board.volts * 1000)
     return Job(
         str(elf), str(hex_file), mcu, board.clockHertz, supply, pins, analog, timers, horizon_us, tuple(devices), tuple(brief)
     )
+
+
+def _input(pin: platform.Pin) -> int | None:
+    """The number of the analogue input that a pin is, or None."""
+    if "analog_in" not in pin.abilities:
+        return None
+    return next((int(found[1]) for name in (pin.label, *pin.aliases) if (found := _ANALOG.fullmatch(str(name)))), None)

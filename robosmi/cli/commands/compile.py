@@ -65,6 +65,8 @@ def _lines(compiled: CompileReport) -> list[str]:
             lines.append(f"  {what}: {used}{share}")
     if compiled.stack is not None:
         lines.append(f"  stack: {_stack(compiled.stack)}")
+    if compiled.stand_in_core:
+        lines.append(f"  core: {compiled.stand_in_core} (stand-in)")
     lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]
     if compiled.ok and not compiled.fits:
         lines.append(f"  too big for this board{f'; fits on {compiled.fits_on}' if compiled.fits_on else ''}")

@@ -57,6 +57,7 @@ class Board(NamedTuple):
     Attributes:
         name: its short name.
         title: its full name, for people.
+        architecture: of its processor, as libraries name it.
         full_names: its names in the platform's tools, the preferred one first.
         values: the values of the braces in a toolchain file's texts.
         extra_flags: further arguments for every compile.
@@ -81,6 +82,7 @@ class Board(NamedTuple):
     signature: str = ""
     file: Path | None = None
     claims: Callable[[], tuple[Claim, ...]] = tuple
+    architecture: str = ""
 
     def has_more_memory_than(self, other: Board) -> bool:
         """Whether it has more flash or more data memory than another one."""

@@ -153,6 +153,7 @@ class Build(Struct):
             )
             for library in libraries
             if library.source == STAND_IN
+            and not library.folder.is_relative_to(self.recipes.core)  # else the core is said to be one
         ]
         if not self.sketch.well_named:
             name = self.sketch.folder.resolve().name + self.sketch.main.suffix
@@ -405,7 +406,9 @@ def entries(
         if suffix not in searched:
             searched[suffix] = _system_includes(compiler, toolchain, start)
         shown = os.path.relpath(path.resolve(), folder)
-        first = [compiler, *toolchain.database.texts("arguments", ())]
+        target = toolchain.database.table("targets", needed=False).text(toolchain.architecture, "")
+        told = [f"--target={target}"] if target else []
+        first = [compiler, *told, *toolchain.database.texts("arguments", ())]
         return {
             "directory": str(folder),
             "file": shown,

@@ -32,6 +32,7 @@ class BuildRecord(Struct, frozen=True):
         sources: file of the sketch's folder -> SHA-256.
         program: SHA-256 of the `.hex`.
         outside: path of a file outside of the sketch's folder that its files include -> SHA-256.
+        stand_in_core: the core that was not installed, so that a stand-in is in the program; empty for none.
         sizes: `flash_bytes`, `flash_limit`, `ram_bytes`, `ram_limit`, and `stack_bytes` where a
             bound is known; empty in a record of an earlier version.
     """
@@ -43,12 +44,14 @@ class BuildRecord(Struct, frozen=True):
     program: str
     sizes: dict[str, int] = {}
     outside: dict[str, str] = {}
+    stand_in_core: str = ""
 
     def to_bytes(self) -> bytes:
         """The record's file."""
         values: dict[str, Json] = {
             "schema": SCHEMA, "board": self.board, "fits": self.fits, "stand_ins": list(self.stand_ins),
             "sources": self.sources, "program": self.program, "sizes": self.sizes, "outside": self.outside,
+            **({"stand_in_core": self.stand_in_core} if self.stand_in_core else {}),
         }  # fmt: skip
         return (json_written(values, indent=1, sort_keys=True) + "\n").encode()
 
@@ -92,7 +95,8 @@ def _record(data: Json) -> BuildRecord:
         raise _wrong(data, "stand_ins", "a list of texts")
     sizes = _table(data, "sizes", int, "whole numbers", optional=True)
     sources, outside = _table(data, "sources", str, "texts"), _table(data, "outside", str, "texts", optional=True)
-    return BuildRecord(_text(data, "board"), fits, names, sources, _text(data, "program"), sizes, outside)
+    core = _text(data, "stand_in_core") if "stand_in_core" in data else ""
+    return BuildRecord(_text(data, "board"), fits, names, sources, _text(data, "program"), sizes, outside, core)
 
 
 def _text(data: Mapping[str, Json], name: str) -> str:

@@ -33,7 +33,7 @@ RULES = {
     MISSING_HEADER: "a header is not in the sketch, the core, an installed library or a stand-in",
     LINK_ERROR: "a used name is defined nowhere, or twice",
     TOO_BIG: "the program needs more flash or RAM than the board has",
-    STAND_IN_USED: "a library is not installed; the check used a stand-in",
+    STAND_IN_USED: "a library or the board's core is not installed; the check used a stand-in",
     LITTLE_RAM: "the program fits, but little RAM is left for the stack",
     BADLY_NAMED: "the main file's name does not match its folder",
     OTHER_BOARD: "the program uses the pins of another board",
@@ -91,6 +91,7 @@ class CompileReport(Struct, frozen=True):
         elf, hex: the program, if it was to be kept; of some cores, `hex` is a file of another kind (`.uf2`, `.bin`).
         commands: entries of a compilation database for the sketch's files.
         database: the file with these, if it was to be kept.
+        stand_in_core: the core that is not installed, if a stand-in was taken for it; else empty.
     """
 
     ok: bool
@@ -111,6 +112,7 @@ class CompileReport(Struct, frozen=True):
     hex: Path | None = None
     commands: tuple[dict[str, Json], ...] = ()
     database: Path | None = None
+    stand_in_core: str = ""
 
     @property
     def exit_code(self) -> int:
@@ -142,6 +144,7 @@ class CompileReport(Struct, frozen=True):
             "ram_limit": self.ram_limit,
             "stack": None if self.stack is None else self.stack.to_json(),
             "libraries": [library.to_json() for library in self.libraries],
+            "stand_in_core": self.stand_in_core or None,
             "diagnostics": [finding.to_json() for finding in self.diagnostics],
             "warnings_elsewhere": self.warnings_elsewhere,
             "seconds": round(self.seconds, 3),

@@ -92,7 +92,7 @@ def compile_into(
             }  # fmt: skip
             beyond = outside(_named_outside(sketch, sources))
             made = hashlib.sha256(program).hexdigest()
-            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes, beyond)
+            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes, beyond, report.stand_in_core)
             contents[_record_name(sketch)] = record.to_bytes()
         if report.elf is not None:
             contents[report.elf.name] = inputs.read_bytes(report.elf, inputs.OUTPUT)

@@ -65,12 +65,14 @@ class LibraryFolders:
         toolchain: whose libraries.
         core: the core's folder.
         project: the project folder; the current folder if None.
+        stand_in_core: whether the core is a stand-in, and so its libraries.
     """
 
-    def __init__(self, toolchain: Toolchain, core: Path, project: Path | None = None) -> None:
+    def __init__(self, toolchain: Toolchain, core: Path, project: Path | None = None, stand_in_core: bool = False) -> None:
         self._toolchain = toolchain
         self._core = core
         self._project = project
+        self._stand_in_core = stand_in_core
 
     @cached_property
     def folders(self) -> list[Path]:
@@ -109,7 +111,8 @@ class LibraryFolders:
         inner = folder / data.text("recursive")
         deep = bool(properties) and inner.is_dir()
         name, version = properties.get("name") or folder.name, properties.get("version", "")
-        return CompiledLibrary(name, version, INSTALLED, folder, inner if deep else folder, deep, data.texts("flat", ()))
+        source = STAND_IN if self._stand_in_core and folder.is_relative_to(self._core) else INSTALLED
+        return CompiledLibrary(name, version, source, folder, inner if deep else folder, deep, data.texts("flat", ()))
 
     @staticmethod
     def _stand_in(table: DataTable) -> tuple[CompiledLibrary, tuple[str, ...]]:

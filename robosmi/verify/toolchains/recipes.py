@@ -87,17 +87,21 @@ class Recipes(Protocol):
 
 
 class InstalledBoard(NamedTuple):
-    """A board that has no data here, as its installed core describes it.
+    """A board as its core describes it.
 
     Attributes:
         board: the board.
         recipes: how the core builds programs for it.
         architecture: what a library must list that serves it.
+        stand_in: the name of the core that is not installed, if this one takes its place for checks; else empty.
+        install: how that core is installed; else empty.
     """
 
     board: Board
     recipes: Recipes
     architecture: str
+    stand_in: str = ""
+    install: str = ""
 
 
 class DataRecipes:

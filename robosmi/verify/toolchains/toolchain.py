@@ -13,13 +13,20 @@ from msgspec.structs import replace
 
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RobosmiError, SourceError, UsageError
+from robosmi.errors import PlatformDataError, RobosmiError, SourceError, UsageError
 from robosmi.inputs import read_once
 from robosmi.plugins import content
 from robosmi.verify.toolchains.board_check import board_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
-from robosmi.verify.toolchains.compile_report import MISSING_HEADER, NO_BOARD_DATA, OTHER_BOARD, TOO_BIG, CompileReport
+from robosmi.verify.toolchains.compile_report import (
+    MISSING_HEADER,
+    NO_BOARD_DATA,
+    OTHER_BOARD,
+    STAND_IN_USED,
+    TOO_BIG,
+    CompileReport,
+)
 from robosmi.verify.toolchains.libraries import LibraryFolders
 from robosmi.verify.toolchains.recipes import DataRecipes, InstalledBoard, Recipes
 from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
@@ -58,10 +65,16 @@ def compile_sketch(
 def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
     sketch, toolchain = find_sketch(place, load_toolchains(project))
     boards = load_boards(toolchain.platform, project)
-    if (found := _installed_board(sketch, boards, toolchain, board)) is not None:
-        report = _compiled_by_core(sketch, found, toolchain, keep, project)
+    if (found := _board_without_data(sketch, boards, toolchain, board)) is not None:
+        known = _without_options(found.board, boards, toolchain)
+        report = _compiled_by_core(sketch, found._replace(board=known or found.board), toolchain, keep, project)
+        if known is None:
+            report = replace(report, diagnostics=(_no_data(found.board, sketch), *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
+    if chosen.architecture != toolchain.architecture:
+        report = _compiled_by_core(sketch, _by_its_core(chosen, toolchain), toolchain, keep, project)
+        return replace(report, seconds=time.perf_counter() - started)
     installed = find_installed(toolchain)
     index = LibraryFolders(toolchain, installed.core, project)
 
@@ -70,7 +83,8 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
 
     report = built(chosen, keep)
     if report.ok and not report.fits:
-        bigger = [board for board in boards if board.has_more_memory_than(chosen)]
+        alike = (board for board in boards if board.architecture == chosen.architecture)
+        bigger = [board for board in alike if board.has_more_memory_than(chosen)]
         others = (built(other) for other in bigger)
         report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
@@ -81,14 +95,33 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
     return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
 
 
-def _installed_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
+def _by_its_core(board: Board, toolchain: Toolchain) -> InstalledBoard:
+    """A board with data whose programs another core builds than that of the toolchain.
+
+    Raises:
+        MissingToolError: no such core is installed, or its compiler is not.
+        PlatformDataError: its data names no core.
+    """
+    found: InstalledBoard | None = content("query", "installed_board")(board.full_names, toolchain)
+    if found is None:
+        where = Location(str(board.file)) if board.file is not None else None
+        message = f"no core builds for '{board.name}', whose processor is of the architecture '{board.architecture}'"
+        raise PlatformDataError(
+            message,
+            location=where,
+            fix="name in the board's file, first of its full names, the one in the core that builds for it",
+        )
+    return found._replace(board=board)
+
+
+def _board_without_data(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
     """The board of an installed core that is asked for, if it has no data here; else None."""
     given = sketch.project_file
     name = wanted if wanted is not None else given.board if given is not None else None
     if name is None or any(name in (board.name, *board.full_names) for board in boards):
         return None
     try:
-        found: InstalledBoard | None = content("query", "installed_board")(name, toolchain)
+        found: InstalledBoard | None = content("query", "installed_board")((name,), toolchain)
     except UsageError as error:
         if wanted is not None or given is None:
             raise
@@ -99,17 +132,32 @@ def _installed_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, 
 def _compiled_by_core(
     sketch: Sketch, found: InstalledBoard, toolchain: Toolchain, keep: Path | None, project: Path | None
 ) -> CompileReport:
-    """The report for a board of an installed core, built by the core's own recipes."""
+    """The report for a board that is built by its core's own recipes."""
     toolchain = toolchain._replace(architecture=found.architecture)
-    index = LibraryFolders(toolchain, found.recipes.core, project)
+    index = LibraryFolders(toolchain, found.recipes.core, project, bool(found.stand_in))
     report = _build(sketch, found.board, toolchain, found.recipes, index, keep)
     if report.ok and not report.fits:
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
-    message = f"'{found.board.name}' has no data here: its pins, voltage, stack and upload are not checked"
-    fix = "add the board's data: docs/how-to/add-a-target.md"
-    unknown = Finding(NO_BOARD_DATA, Severity.info, message, Location(str(sketch.main)), fix=fix)
-    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in (unknown, *report.diagnostics))
+    if found.stand_in:
+        message = f"the core '{found.stand_in}' is not installed; compiled with a stand-in, which is only for checks"
+        evidence = {"core": found.stand_in}
+        used = Finding(STAND_IN_USED, Severity.info, message, Location(str(sketch.main)), fix=found.install, evidence=evidence)
+        report = replace(report, stand_in_core=found.stand_in, diagnostics=(used, *report.diagnostics))
+    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
     return replace(report, diagnostics=diagnostics)
+
+
+def _without_options(board: Board, boards: list[Board], toolchain: Toolchain) -> Board | None:
+    """The board with data that a full name with options of menus names, if its core builds its programs; else None."""
+    plain = ":".join(board.name.split(":")[:3])
+    others = (each for each in boards if each.architecture != toolchain.architecture)
+    return next((each for each in others if plain in each.full_names), None)
+
+
+def _no_data(board: Board, sketch: Sketch) -> Finding:
+    message = f"'{board.name}' has no data here: its pins, voltage, stack and upload are not checked"
+    fix = "add the board's data: docs/how-to/add-a-target.md"
+    return Finding(NO_BOARD_DATA, Severity.info, message, Location(str(sketch.main)), fix=fix)
 
 
 def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:

@@ -144,6 +144,11 @@ def _kept(sketch: Sketch, folder: Path, named: Path) -> tuple[BuildRecord, bytes
         compiled_hex(folder, sketch),
         f"compile it: robosmi compile {shlex.quote(str(named))}",
     )
+    if record is not None and record.stand_in_core:
+        raise SourceError(
+            f"the program was compiled with a stand-in for the core '{record.stand_in_core}', which is only for checks",
+            location=Location(str(folder)), fix="install that core (robosmi compile says how), then compile again",
+        )  # fmt: skip
     if record is None or not path.is_file():
         what = "this sketch is not compiled yet"
         raise SourceError(what, location=Location(str(folder)), fix=f"{fix} (after compile -o DIR, give --build DIR)")

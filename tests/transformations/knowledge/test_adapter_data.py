@@ -152,3 +152,23 @@ def test_folders_of_a_project_go_before_the_built_in_ones(tmp_path: Path) -> Non
     own.mkdir(parents=True)
     assert adapter_index("arduino", "propeller", tmp_path).folders == [own, FOLDERS[0]]
     assert adapter_index("arduino", "unheard-of", tmp_path).folders == []
+
+
+def test_files_of_the_hardware_layer_are_one_group(tmp_path: Path) -> None:
+    """One for all architectures does not hide that for the target's, whichever is read first."""
+    folder = tmp_path / "adapters"
+    (folder / "hal").mkdir(parents=True)
+    (folder / "hal" / "api.cpp").write_text("//# header hal\n//# helper Io\nint of_all;\n")
+    (folder / "hal" / "avr.cpp").write_text("//# header hal\n//# architecture avr\n//# helper Io\nint of_avr;\n")
+    index = AdapterIndex([folder])
+    assert index.headers == ["hal"]
+    texts = [AdapterPieces(index, architecture=name).needed([("hal", "Io")], "m").pieces[0].text for name in ("avr", "esp32")]
+    assert texts == ["int of_avr;", "int of_all;"]
+
+
+def test_a_file_of_the_hardware_layer_says_so(tmp_path: Path) -> None:
+    (tmp_path / "hal").mkdir()
+    (tmp_path / "hal" / "avr.cpp").write_text("//# header tools.h\n//# helper Io\nint io;\n")
+    with pytest.raises(PlatformDataError) as caught:
+        AdapterIndex([tmp_path]).files("hal")
+    assert caught.value.location == Location(str(tmp_path / "hal" / "avr.cpp"), 1)

@@ -109,6 +109,59 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
     assert texts == ["one();", "two();", "two();"]
 
 
+ON_TWO = """\
+//# header tools.h
+//# adapter low
+//#   for: void low(int pin)
+//#   kind: oneToOne
+//#   fidelity: exact
+//#   limit: none of a kind
+//#   limit avr: 5 V
+//#   limit rp2040 samd: 3.3 V
+//#   limit other: not measured
+//#   range avr: pin 0..19: nothing happens
+void low(int32_t pin) { (void)pin; }
+"""
+
+
+@pytest.mark.parametrize(
+    ("architecture", "limits", "ranges"),
+    [
+        ("avr", ["none of a kind", "5 V"], 1),
+        ("rp2040", ["none of a kind", "3.3 V"], 0),
+        ("samd", ["none of a kind", "3.3 V"], 0),
+        ("esp32", ["none of a kind", "not measured"], 0),
+    ],
+)
+def test_a_key_may_be_for_some_architectures(architecture: str, limits: list[str], ranges: int, tmp_path: Path) -> None:
+    known = AdapterPieces(read(tmp_path, ON_TWO), architecture=architecture)
+    (piece,) = known.needed([("tools.h", "low")], "any").pieces
+    assert (piece.limits, len(piece.ranges), piece.fidelity) == (limits, ranges, "exact")
+
+
+def test_a_variant_for_an_architecture_counts_before_one_for_all_and_behind_one_for_a_microcontroller(tmp_path: Path) -> None:
+    texts = ["//# header tools.h", "//# helper Io", "int one;", "//# helper Io", "//#   architecture: avr", "int two;"]
+    texts += ["//# helper Io", "//#   mcu: atmega2560", "int three;"]
+    pieces = list(read(tmp_path, "\n".join(texts)))
+
+    def chosen(architecture: str, mcu: str) -> str:
+        return AdapterPieces(pieces, architecture=architecture).needed([("tools.h", "Io")], mcu).pieces[0].text
+
+    assert [chosen("", "x"), chosen("avr", "x"), chosen("rp2040", "x")] == ["int one;", "int two;", "int one;"]
+    assert chosen("avr", "atmega2560") == "int three;"
+
+
+def test_what_an_architecture_lacks_is_not_served_there(tmp_path: Path) -> None:
+    layer = "//# header hal\n//# architecture avr\n//# helper Io\nint io;\n"
+    tools = (
+        "//# header tools.h\n//# helper low\n//#   needs: hal/Io\nint low;\n//# helper high\n//#   needs: tools.h/Io\nint high;\n"
+    )
+    pieces = list(read(tmp_path, layer, tools))
+    wanted = [("tools.h", "low"), ("tools.h", "high")]  # the second one names the piece by the header that it once stood in
+    assert [p.name for p in AdapterPieces(pieces, architecture="avr").needed(wanted, "m").pieces] == ["Io", "low", "high"]
+    assert AdapterPieces(pieces, architecture="arm").needed(wanted, "m").unserved[wanted[0]] == "the m has no 'Io'"
+
+
 @pytest.mark.parametrize(
     ("text", "line", "said"),
     [
@@ -132,6 +185,8 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
         ("//# header a.h\n//# helper x\n//#   interrupt: TIMER1 20\nint x;\n", 3, "not an interrupt"),
         ("//# header a.h\n//# helper x\nint x;\n//# helper x\nint y;\n", 4, "'x' occurs twice"),
         ("//# header a.h\n//# helper x\nint x;\n//# header b.h\n", 4, "a second header"),
+        ("//# header a.h\n//# helper x\n//#   ram avr: 4\nint x;\n", 3, "is not a marker"),
+        ("//# header a.h\n//# architecture avr\n//# helper x\n//#   limit samd: y\nint x;\n", 4, "for one architecture already"),
         (
             f"{LOW}//#   pin: pinn digital out\nvoid low(int32_t pin, int32_t us) {{}}\n",
             5,

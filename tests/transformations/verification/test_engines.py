@@ -21,9 +21,11 @@ from robosmi.verify.simulation import DeviceUse, engine_names, simulate
 from tests.tools import require_engine
 from tests.transformations.verification.conftest import Run
 
+AVR_ENGINES = ["simavr", "avr8js"]
 
-def test_both_engines_are_known() -> None:
-    assert engine_names() == ["simavr", "avr8js"]
+
+def test_the_engines_are_known_in_the_order_in_which_they_are_tried() -> None:
+    assert engine_names() == [*AVR_ENGINES, "rp2040js"]
 
 
 def test_how_pins_are_driven_is_seen_with_its_times(job_of: Run, engine: str) -> None:
@@ -90,10 +92,10 @@ def test_a_run_can_be_repeated_to_the_byte(job_of: Run, engine: str) -> None:
 
 
 def test_the_engines_agree_on_what_is_printed_and_driven(job_of: Run) -> None:
-    for name in engine_names():
+    for name in AVR_ENGINES:
         require_engine(name)
     asked = job_of("rangers", 300, [DeviceUse("ranger", {"signal": "D7"}, {"points": [[0, 20], [150, 35]]})])
-    one, other = (simulate(asked, name) for name in engine_names())
+    one, other = (simulate(asked, name) for name in AVR_ENGINES)
     assert one.text == other.text
     driven = [[(change.pin, change.level) for change in trace.changes[:20]] for trace in (one, other)]
     assert driven[0] == driven[1]

@@ -15,6 +15,7 @@ from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT
 from tests.host_model.bench import built
+from tests.tiers import sample
 from tests.tools import require_tools
 
 BUTTONS = [BoundPort(f"P{n}", f"P{n}", f"D{n}", device="levels", pin="pin") for n in (3, 4, 5)]
@@ -188,7 +189,7 @@ PROGRAMS = {
 }
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", sample(PROGRAMS, 5))
 def test_a_moved_border_is_noticed_by_what_the_search_finds(name: str) -> None:
     require_tools("gcc", "gcov", "objcopy")
     body, inputs, edits = PROGRAMS[name]

@@ -29,8 +29,10 @@ def test_what_runs_record_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
     busy.add(a_run(100_000), 5)
     assert busy.is_over()
     assert not quick.is_over()
+    assert not quick.late
     clock[0] = 30.0
     assert quick.is_over()
+    assert quick.late
 
 
 def test_a_search_that_is_given_up_is_over() -> None:

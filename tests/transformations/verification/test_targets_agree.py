@@ -12,6 +12,7 @@ import pytest
 import robosmi
 from robosmi.transformations.chains.verify import verify
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
+from tests.tiers import sample
 from tests.tools import require_engine, require_verification
 
 CASES = Path(__file__).parent / "device_cases"
@@ -53,7 +54,7 @@ def made(name: str, examples: Path, out: Path, **options: Any) -> tuple[Path, Pa
     return sketch, scenario
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", sample(ROBOTS, 2))
 def test_both_engines_say_the_same_of_a_robot(name: str, examples: Path, tmp_path: Path) -> None:
     for engine in ("simavr", "avr8js"):
         require_engine(engine)

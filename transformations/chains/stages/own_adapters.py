@@ -280,10 +280,11 @@ def fault_of_saved(
         for path, text in files.items():
             _put(copy / path.relative_to(folder), text)
         index = adapter_index(target.platform, str(plan.source.name), beside=Path(place), language=target.language)
-        known = AdapterPieces(index)
+        chip = plan.board.microcontroller
+        known = AdapterPieces(index, architecture=str(chip.architecture) if chip is not None else "")
         here = [piece for piece in known if Path(piece.location.path).is_relative_to(copy)]
         own = [piece for piece in here if piece.kind == "adapter" and (piece.header, piece.name) in saved]
-        mcu = str(plan.board.microcontroller.name) if plan.board.microcontroller is not None else ""
+        mcu = str(chip.name) if chip is not None else ""
         fault = first_fault(own, known, mcu, target, plan.board)
     return (fault[0].header, fault[0].name, fault[1].message) if fault is not None else None
 

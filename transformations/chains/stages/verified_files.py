@@ -15,6 +15,7 @@ from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import write_atomic
 from robosmi.files.run_lock import alone
 from robosmi.transformations.verification.judgement.scenario_verdicts import ComparedScenario
+from robosmi.transformations.verification.search.stored_search import FILE, StoredSearch, scenarios_digest
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.trace_picture import trace_svg
@@ -41,6 +42,20 @@ class VerifiedFiles:
         """Write each new scenario to a file beside the models, but for those that another run has stored meanwhile."""
         if scenarios:
             self._attempt("the scenarios cannot be stored", folder, _MAKE_ROOM, lambda: self._scenarios(scenarios, folder))
+
+    def store_search(self, search: str, racy: int, racy_counts: Sequence[bytes], folder: Path) -> None:
+        """Write what a search came to beside its scenarios; the arguments are those of `StoredSearch`."""
+        self._attempt(
+            "the record of the search cannot be stored", folder / FILE, _MAKE_ROOM,
+            lambda: self._search(search, racy, racy_counts, folder),
+        )  # fmt: skip
+
+    def _search(self, search: str, racy: int, racy_counts: Sequence[bytes], folder: Path) -> None:
+        with alone(folder.parent.parent):
+            stored = sorted(folder.glob("*.toml"))
+            if stored:
+                record = StoredSearch(search, scenarios_digest(stored), racy, sorted(set(racy_counts)))
+                self._write(folder / FILE, record.text(), "search")
 
     def _scenarios(self, scenarios: Sequence[Scenario], folder: Path) -> None:
         with alone(folder.parent.parent):

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -37,8 +38,15 @@ RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
 """How calls correspond (paper 3.4): one to one, one to several, several to one, or by another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
-_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "members", "beside", "library", "symmetric")
-_ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
+HAL = "hal"
+"""The hardware layer: what its files have in the place of a header, and the folder that they are in."""
+ARCHITECTURE = "architecture"
+"""A line `//# architecture NAME...` after the header's line: all pieces of the file are for these; also a key of a piece."""
+_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", ARCHITECTURE, "members", "beside", "library", "symmetric")
+_ATTRIBUTES = {
+    "include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", ARCHITECTURE: "architectures",
+    "library": "libraries",
+}  # fmt: skip
 _TEXTS = (
     "for",
     "kind",
@@ -55,6 +63,9 @@ _TEXTS = (
     "ram",
     "range",
 )
+_CONDITIONAL = ("fidelity", "limit", "range")
+OTHERS = "other"
+"""In the place of an architecture: those that no line of the piece's head names."""
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?( split)?(?: ([\w-]+))?")
 _STACK = re.compile(r"(\d+)(?: (\d+))?")
 _INTERRUPT = re.compile(r"(\w+_vect) (\d+)(?: (\d+))?")
@@ -86,7 +97,8 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
         raise _wrong(Location(str(path)), "the source platform's header is missing", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str, str]] = set()
     for piece in pieces:
-        condition = " ".join([*sorted(piece.members), "beside", *sorted(piece.beside)])
+        conditions = (sorted(piece.members), sorted(piece.beside), sorted(piece.architectures))
+        condition = " beside ".join(" ".join(names) for names in conditions)
         for mcu in piece.mcus or [""]:
             if (piece.name, mcu, condition) in seen:
                 where = f" for {mcu}" if mcu else ""
@@ -103,7 +115,7 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
     """Parse the pieces of a file; statements about the header are stored in `made`."""
     piece, marking = None, False
     text: list[str] = []
-    marks: dict[tuple[str, str], int] = {}
+    head: _Head = []
     for number, line in enumerate(lines, 1):
         place = Location(str(path), number)
         if not line.startswith(MARK):
@@ -117,17 +129,18 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
         if said.startswith("   "):
             if piece is None or not marking:
                 raise _wrong(place, "a marker is outside the head of a piece", "move it up, below `//# KIND NAME`")
-            _take(piece, said.strip(), place)
-            key, _, value = said.partition(":")
-            marks[key.strip(), value.strip()] = number
+            head.append(_marker(said.strip(), place))
             continue
         if piece is not None:
-            yield _finished(piece, text, marks)
+            yield from _variants(piece, text, head)
         words = said.split()
         if len(words) == 2 and words[0] == "header":
             if made.header:
                 raise _wrong(place, "the file has a second header", "use one file per header")
             made.header = words[1]
+            continue
+        if len(words) > 1 and words[0] == ARCHITECTURE and made.header and piece is None:
+            made.architectures += words[1:]
             continue
         if len(words) > 1 and words[0] == NOT_SERVED and made.header and piece is None:
             made.unsupported = said.split(maxsplit=1)[1]
@@ -143,9 +156,50 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
             )  # fmt: skip
         if not made.header:
             raise _wrong(place, "the source platform's header is missing", f"begin with `{MARK} header NAME`")
-        piece, text, marking, marks = AdapterPiece(words[0], words[1], made.header, place), [], True, {}
+        piece, text, marking, head = AdapterPiece(words[0], words[1], made.header, place), [], True, []
+        piece.architectures += made.architectures
     if piece is not None:
-        yield _finished(piece, text, marks)
+        yield from _variants(piece, text, head)
+
+
+class _Marker(NamedTuple):
+    """A marker line of a piece's head: `KEY [ARCHITECTURE...]: VALUE`."""
+
+    key: str
+    value: str
+    place: Location
+    architectures: frozenset[str]
+
+
+_Head = list[_Marker]
+
+
+def _marker(said: str, place: Location) -> _Marker:
+    """Split a marker line."""
+    keys, colon, value = said.partition(":")
+    key, *architectures = keys.split() or [""]
+    value = value.strip()
+    if not colon or key not in (*_LISTS, *_TEXTS) or not value or (architectures and key not in _CONDITIONAL):
+        raise _wrong(
+            place, f"'{said}' is not a marker{did_you_mean(key, [*_LISTS, *_TEXTS])}",
+            f"write KEY: VALUE with one of: {', '.join(sorted((*_LISTS, *_TEXTS)))}",
+        )  # fmt: skip
+    return _Marker(key, value, place, frozenset(architectures))
+
+
+def _variants(piece: AdapterPiece, text: list[str], head: _Head) -> Iterator[AdapterPiece]:
+    """A piece, once for each architecture that a line of its head names, and once for all others."""
+    named = sorted({name for marker in head for name in marker.architectures} - {OTHERS})
+    if named and (piece.architectures or any(marker.key == ARCHITECTURE for marker in head)):
+        place = next(marker.place for marker in head if marker.architectures)
+        raise _wrong(place, f"'{piece.name}' is for one architecture already", f"write the key without '{' '.join(named)}'")
+    for name in (*named, ""):
+        variant = AdapterPiece(piece.kind, piece.name, piece.header, piece.location)
+        variant.architectures = [name] if name else [*piece.architectures]
+        own = [marker for marker in head if not marker.architectures or (name or OTHERS) in marker.architectures]
+        for marker in own:
+            _take(variant, marker)
+        yield _finished(variant, text, {(marker.key, marker.value): marker.place.line or 0 for marker in own})
 
 
 def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, str], int]) -> AdapterPiece:
@@ -165,15 +219,9 @@ def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, st
     return piece
 
 
-def _take(piece: AdapterPiece, said: str, place: Location) -> None:
-    """Parse one marker line of a piece's head."""
-    key, colon, value = said.partition(":")
-    value = value.strip()
-    if not colon or key not in (*_LISTS, *_TEXTS) or not value:
-        raise _wrong(
-            place, f"'{said}' is not a marker{did_you_mean(key, [*_LISTS, *_TEXTS])}",
-            f"write KEY: VALUE with one of: {', '.join(sorted((*_LISTS, *_TEXTS)))}",
-        )  # fmt: skip
+def _take(piece: AdapterPiece, marker: _Marker) -> None:
+    """Store what a marker line says in its piece."""
+    key, value, place, _ = marker
     if key in _LISTS:
         attribute = _ATTRIBUTES.get(key, key)
         known: list[str] = getattr(piece, attribute)

@@ -1,21 +1,22 @@
 """The adapter files for a source and a target platform, read when a program needs them.
 
 They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
-(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
+(`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each. Files of a project, of a
+person and of plug-ins precede the built-in ones, piece by piece.
 `queries.plans.adapter_needs` determines which pieces a program needs.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePath, PurePosixPath
 from types import MappingProxyType
 
 from robosmi import inputs, resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapters.adapter_data import adapter_paths, load
-from robosmi.transformations.knowledge.adapters.adapter_files import MARK
+from robosmi.transformations.knowledge.adapters.adapter_files import HAL, MARK
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterFile, AdapterPiece
 
 BUILT_IN = "built-in"
@@ -100,12 +101,15 @@ class AdapterIndex:
             paths = [path for path in adapter_paths(folder) if not self._ending or path.suffix == self._ending]
             if folder in self.own:  # where there may be code that is none of ours
                 paths = [path for path in paths if MARK.encode() in inputs.read_bytes(path, inputs.DATA)]
-            self._listings[folder] = [(path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in paths]
+            self._listings[folder] = [(_header(path.relative_to(folder)), path) for path in paths]
         return self._listings[folder]
 
     def _checked(self, path: Path, header: str) -> AdapterFile:
         file = load(path)
         if file.header != header:
+            if header == HAL:
+                message = f"the adapter file is for '{file.header}', but its folder '{HAL}' is for no header"
+                raise PlatformDataError(message, location=Location(str(path), 1), fix=f"begin with `{MARK} header {HAL}`")
             fix = f"rename it to {file.header.removesuffix('.h')}{path.suffix}"
             raise PlatformDataError(f"the adapter file is for '{file.header}'", location=Location(str(path), 1), fix=fix)
         for piece in file.pieces:
@@ -118,8 +122,13 @@ class AdapterIndex:
         return file
 
     def of(self, header: str) -> list[list[AdapterPiece]]:
-        """The pieces for a header, file by file."""
-        return [file.pieces for file in self.files(header)]
+        """The pieces for a header, folder by folder."""
+        groups: dict[Path, list[AdapterPiece]] = {folder: [] for folder in self.folders}
+        for file in self.files(header):
+            for piece in file.pieces:
+                folder = next(each for each in self.folders if Path(piece.location.path).is_relative_to(each))
+                groups[folder].append(piece)
+        return [pieces for pieces in groups.values() if pieces]
 
     def task(self, name: str, header: str) -> str:
         """The reason why no adapter is possible for a function of a header; empty if none is stated."""
@@ -130,6 +139,11 @@ class AdapterIndex:
         files = self.files(header)
         served = any(piece.kind == "adapter" for file in files for piece in file.pieces)  # values of a header do not serve it
         return "" if served else next((f.unsupported for f in files if f.unsupported), "")
+
+
+def _header(path: PurePath) -> str:
+    """The header that an adapter file is for, by its path in its folder."""
+    return HAL if path.parent.as_posix() == HAL else path.with_suffix(".h").as_posix()
 
 
 def adapter_index(

@@ -119,6 +119,7 @@ class AdapterPiece(Struct):
         vectors: interrupts that it handles.
         taken: interrupts that a library which it includes handles.
         mcus: microcontrollers that this variant is for; empty for all.
+        architectures: processor architectures that this variant is for; empty for all others.
         members: this variant is for programs that use one of these members of a record; empty for all programs.
         beside: this variant is for programs that call one of these functions; empty for all programs.
         pins: its parameters that are pins.
@@ -151,6 +152,7 @@ class AdapterPiece(Struct):
     vectors: list[str] = []
     taken: list[str] = []
     mcus: list[str] = []
+    architectures: list[str] = []
     members: list[str] = []
     beside: list[str] = []
     pins: list[AdapterPin] = []
@@ -175,9 +177,11 @@ class AdapterFile(Struct):
         pieces: its pieces, in order.
         unsupported: the reason, as a sentence, why the target cannot support the header; empty if it can.
         tasks: name of a function for which no adapter is possible -> the reason, as a sentence.
+        architectures: processor architectures that all of its pieces are for; empty for all.
     """
 
     header: str = ""
+    architectures: list[str] = []
     pieces: list[AdapterPiece] = []
     unsupported: str = ""
     tasks: dict[str, str] = {}

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError, UsageError, did_you_mean
+from robosmi.resources import built_in
 from robosmi.transformations.knowledge.cores.core_properties import below, expand, read_properties
 from robosmi.verify.toolchains.toolchain_data import version_key
 
@@ -68,9 +69,11 @@ class ArduinoCore:
         vendor: whose package it is; empty if its folder does not say.
         architecture: its architecture, as names of boards have it.
         packages: the folder of all packages, with their tools; None for a core that lies by itself.
+        stand_in: whether it takes the place of a core that is not installed, for checks only.
     """
 
-    def __init__(self, folder: Path, vendor: str, architecture: str, packages: Path | None) -> None:
+    def __init__(self, folder: Path, vendor: str, architecture: str, packages: Path | None, stand_in: bool = False) -> None:
+        self.stand_in = stand_in
         self.folder = folder
         self.vendor = vendor
         self.architecture = architecture
@@ -165,13 +168,21 @@ def find_core(name: BoardName) -> ArduinoCore:
     if not cores:
         raise MissingToolError(
             f"no core '{name.vendor}:{name.architecture}' is installed",
-            fix=f"install it: arduino-cli core install {name.vendor}:{name.architecture}, or let {ENV} name its folder",
+            fix=how_to_install(name),
         )
     return cores[0]
 
 
+def how_to_install(name: BoardName) -> str:
+    """What a person does who has not the core of a board."""
+    return f"install it: arduino-cli core install {name.vendor}:{name.architecture}, or let {ENV} name its folder"
+
+
 def installed_cores(architecture: str) -> list[ArduinoCore]:
-    """The cores for an architecture, in the order in which they are asked: by `ROBOSMI_CORE`, by place, the newest first."""
+    """The cores for an architecture, in the order in which they are asked: by `ROBOSMI_CORE`, by place, the newest first.
+
+    Those of the package, which stand in for the real ones, come last.
+    """
     named = [Path(text).expanduser() for text in os.environ.get(ENV, "").split(os.pathsep) if text]
     found = [core for folder in named if (core := _named(folder, architecture)) is not None]
     for text in DATA_FOLDERS:
@@ -181,7 +192,8 @@ def installed_cores(architecture: str) -> list[ArduinoCore]:
     for text in (*USER_FOLDERS, *SYSTEM_FOLDERS):
         folders = sorted((Path(text).expanduser() / "hardware").glob(f"*/{architecture}"))
         found += [ArduinoCore(path, path.parent.name, architecture, None) for path in folders if is_core(path)]
-    return found
+    folders = sorted(built_in("platform_repo").glob(f"*/stand_ins/hardware/*/{architecture}"))
+    return found + [ArduinoCore(path, path.parent.name, architecture, None, stand_in=True) for path in folders]
 
 
 def is_core(folder: Path) -> bool:

@@ -102,9 +102,10 @@ class CoreRecipes:
         return [self._found(program), *words] if program else []
 
     def _missing(self, tool: str) -> MissingToolError:
+        own = f"install the core's tools: arduino-cli core install {self._core.vendor or 'VENDOR'}:{self._core.architecture}"
         return MissingToolError(
             f"'{tool}', which the core {self.core_title} is built with, is not installed",
-            fix=f"install the core's tools: arduino-cli core install {self._core.vendor or 'VENDOR'}:{self._core.architecture}",
+            fix=self._properties.get("stand_in.install", own),
         )
 
     def _found(self, program: str) -> str:

@@ -1,33 +1,57 @@
-"""Boards of installed cores that have no data here, for the compile check."""
+"""Boards of Arduino cores, for the compile check: of installed ones, else of those that ship as stand-ins."""
 
 from __future__ import annotations
 
-from robosmi.transformations.knowledge.cores.core_folders import BoardName, find_core
+from collections.abc import Sequence
+
+from robosmi.errors import MissingToolError
+from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, find_core, how_to_install
 from robosmi.transformations.knowledge.cores.core_recipes import CoreRecipes
 from robosmi.verify.toolchains.boards import Board
 from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 
 
-def installed_board(name: str, toolchain: Toolchain) -> InstalledBoard | None:
-    """The board of an installed core; the registry's query of that name.
+def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoard | None:
+    """The board of a core; the registry's query of that name.
 
     Args:
-        name: as a person or a project file has it.
+        names: full names of one board, as a person, a project file or the board's data has them. The first whose core is
+            installed counts, else the first whose core has a stand-in.
         toolchain: the toolchain of the sketch; its `[core]` says whether installed cores serve it (`installed_boards`).
 
     Returns:
-        The board, or None if that is no full name of a board or the toolchain has no such boards.
+        The board, or None if these are no full names of a board or the toolchain has no such boards.
 
     Raises:
         UsageError: the core has no such board, menu or option.
         MissingToolError: no such core is installed, or its compiler is not.
         SourceError, PlatformDataError: the core is damaged.
     """
-    if name.count(":") < 2 or not toolchain.core.flag("installed_boards", False):
+    full_names = [name for name in names if name.count(":") >= 2]
+    if not full_names or not toolchain.core.flag("installed_boards", False):
         return None
-    full = BoardName.parse(name)
-    core = find_core(full)
+    full, core = _first_installed([BoardName.parse(name) for name in full_names])
     recipes = CoreRecipes(core, full, toolchain)
     flash, ram = recipes.limits
-    return InstalledBoard(Board(str(full), recipes.board_title, (str(full),), {}, (), flash, ram), recipes, full.architecture)
+    board = Board(str(full), recipes.board_title, (str(full),), {}, (), flash, ram, architecture=full.architecture)
+    stand_in = f"{full.vendor}:{full.architecture}" if core.stand_in else ""
+    return InstalledBoard(board, recipes, full.architecture, stand_in, how_to_install(full) if core.stand_in else "")
+
+
+def _first_installed(names: Sequence[BoardName]) -> tuple[BoardName, ArduinoCore]:
+    """A name whose core is there, and the core.
+
+    Raises:
+        MissingToolError: there is none of them; of the first name.
+    """
+    found: list[tuple[BoardName, ArduinoCore]] = []
+    missing: list[MissingToolError] = []
+    for name in names:
+        try:
+            found.append((name, find_core(name)))
+        except MissingToolError as error:
+            missing.append(error)
+    if not found:
+        raise missing[0]
+    return min(found, key=lambda each: each[1].stand_in)

@@ -63,13 +63,16 @@ def library_takes(index: str, board: platform.Board, project: Path | None = None
     """
     found = taken_of(board, platform.UserKind.library)
     chip = board.microcontroller.name if board.microcontroller is not None else ""
+    timers = {timer.name for timer in board.microcontroller.timers} if board.microcontroller is not None else set()
+    labels = {pin.label for pin in board.pins}
     for folder in resources.folders("platform_repo", project):
         path = folder / index / "libraries" / "takes.toml"
         if index and path.is_file():
             for name, entries in _read(path, path.stat().st_mtime_ns).items():
                 entry = next((e for e in entries if not e.mcus or chip in e.mcus), None)
-                if entry is not None and name not in found:
-                    pins = (*entry.takes.pins, *bus_pins(board, entry.buses))
+                if entry is not None and name not in found and timers.issuperset(entry.takes.timers):  # else read elsewhere
+                    own = [label for label in entry.takes.pins if label in labels]
+                    pins = (*own, *bus_pins(board, entry.buses))
                     found[name] = Takes(entry.takes.timers, pins, entry.takes.when)
             break
     return found

@@ -107,8 +107,9 @@ class TargetFacts:
 
     @property
     def architecture(self) -> str:
-        """Processor architecture as libraries declare it."""
-        return str(self._platform.architecture)
+        """Architecture of the board's processor, as libraries declare it."""
+        chip = self.model.board.microcontroller if self.model.board is not None else None
+        return str(chip.architecture if chip is not None else self._platform.architecture)
 
     @property
     def include(self) -> str:

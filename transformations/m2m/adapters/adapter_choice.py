@@ -72,9 +72,10 @@ class AdapterChoice:
         widened: bool = False,
         members: Collection[str] = (),
         calls: Collection[str] = (),
+        architecture: str = "",
     ) -> None:
         self.index, self.api, self.mcu, self.filled, self.widened = index, api, mcu, filled, widened
-        self.pieces = AdapterPieces(index, members, calls)
+        self.pieces = AdapterPieces(index, members, calls, architecture)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
         self.chosen_pieces: list[AdapterPiece] = []
         self._unserved: dict[str, UnservedHeader] = {}
@@ -225,8 +226,11 @@ def adapter_choice(
     """
     if how not in ADAPTERS:
         raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
-    mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
-    return AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members, calls=calls)
+    chip = board.microcontroller
+    mcu, architecture = (str(chip.name), str(chip.architecture)) if chip is not None else ("", "")
+    return AdapterChoice(
+        index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members, calls=calls, architecture=architecture
+    )
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:

@@ -1,8 +1,9 @@
 """Which pieces of adapter files a program needs, sorted so that each piece comes after the pieces it depends on.
 
 The result is the transitive closure of the `needs` that pieces declare. A name is looked up in the piece's own header first,
-then in all headers; `servo.h/servo_set` names a piece of another header. A variant for one microcontroller takes precedence
-over one for all of them; a variant for records or functions that the program uses takes precedence over both.
+then in all headers; `servo.h/servo_set` names a piece of another header, `hal/Io` one of the hardware layer. A variant for a
+microcontroller takes precedence over one for an architecture, and that one over one for all of them; a variant for records or
+functions that the program uses takes precedence over all three.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Protocol
 
 from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.transformations.knowledge.adapters.adapter_files import HAL
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
 
 
@@ -45,12 +47,17 @@ class AdapterPieces:
         source: the source of the pieces, or the pieces themselves.
         members: names of the members that the program uses of records that it does not declare.
         calls: names of the functions that the program calls and does not define.
+        architecture: of the target's processor; without one, variants for architectures do not fit.
     """
 
     def __init__(
-        self, source: PieceSource | Iterable[AdapterPiece], members: Collection[str] = (), calls: Collection[str] = ()
+        self,
+        source: PieceSource | Iterable[AdapterPiece],
+        members: Collection[str] = (),
+        calls: Collection[str] = (),
+        architecture: str = "",
     ) -> None:
-        self.members, self.calls = frozenset(members), frozenset(calls)
+        self.members, self.calls, self.architecture = frozenset(members), frozenset(calls), architecture
         self._source: PieceSource = _Listed(source) if isinstance(source, Iterable) else source
         self._known: dict[str, dict[str, list[list[AdapterPiece]]]] = {}
 
@@ -73,7 +80,8 @@ class AdapterPieces:
         """The (header, name) of the piece that a name denotes when used in that header; None if there is no such piece."""
         if "/" in name:
             header, _, name = name.rpartition("/")
-            return (header, name) if name in self._of(header) else None
+            # files of a person may name a piece of the hardware layer by the header that it once stood in
+            return next(((place, name) for place in (header, HAL) if name in self._of(place)), None)
         if header and name in self._of(header):
             return header, name
         return next(((other, name) for other in self._source.headers if name in self._of(other)), None)
@@ -82,12 +90,13 @@ class AdapterPieces:
         """The variant of a piece that takes precedence on a microcontroller, None if no variant fits it and the program."""
         for group in self._of(key[0]).get(key[1], ()):
             if fitting := [piece for piece in group if self._fits(piece, mcu)]:
-                return max(fitting, key=lambda piece: (bool(piece.members or piece.beside), bool(piece.mcus)))
+                return max(fitting, key=_precedence)
         return None
 
     def _fits(self, piece: AdapterPiece, mcu: str) -> bool:
-        """Whether a variant's conditions (microcontrollers, members, calls; empty ones always hold) fit the program."""
-        wanted = ((piece.members, self.members), (piece.beside, self.calls), (piece.mcus, {mcu}))
+        """Whether a variant's conditions (processor, members, calls; empty ones always hold) fit the program."""
+        processor = ((piece.mcus, {mcu}), (piece.architectures, {self.architecture}))
+        wanted = ((piece.members, self.members), (piece.beside, self.calls), *processor)
         return all(not names or not there.isdisjoint(names) for names, there in wanted)
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
@@ -149,6 +158,10 @@ class AdapterPieces:
                 return why
         chain[key] = piece
         return ""
+
+
+def _precedence(piece: AdapterPiece) -> tuple[bool, bool, bool]:
+    return bool(piece.members or piece.beside), bool(piece.mcus), bool(piece.architectures)
 
 
 class _Listed:

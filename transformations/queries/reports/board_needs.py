@@ -113,14 +113,18 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
 
 
 def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
-    """The title of the board with the least memory among those of the platform that should have enough; empty where none has.
+    """The title of the board with the least memory that should have enough; empty where none has.
+
+    It is one of the platform with a processor of the same architecture: others take the program only by another migration.
 
     The stack counts twice: of 234 compiled programs five needed more than twice what the models say, 90 bytes at most.
     """
     flash = needs.build.flashBytes if needs.build is not None else 0
     ram = (needs.build.ramBytes if needs.build is not None else needs.memory.total) + 2 * needs.stack
     boards = (load_board(name) for name in mapped_boards(str(platform_of(plan).name)))
-    enough = [b for b in boards if (chip := b.microcontroller) is not None and chip.ramBytes >= ram and chip.flashBytes > flash]
+    own = plan.board.microcontroller.architecture if plan.board is not None and plan.board.microcontroller is not None else ""
+    alike = [b for b in boards if (chip := b.microcontroller) is not None and chip.architecture == own]
+    enough = [b for b in alike if (chip := b.microcontroller) is not None and chip.ramBytes >= ram and chip.flashBytes > flash]
     return min(((int(b.microcontroller.ramBytes), str(b.title)) for b in enough if b.microcontroller), default=(0, ""))[1]
 
 

@@ -1,202 +1,56 @@
-"""The engine `avr8js`: the simulator of that name (npm, MIT), run by node beside the worker; an ATmega328P only.
-
-The program `avr8js_run.cjs` runs the instructions and asks this side whenever something happens at a pin that a device is
-connected to, at the times at which devices want to act, and at each step of the two-wire bus. Between, it keeps a log.
-"""
+"""The engine `avr8js`: the simulator of that name (npm, MIT); an ATmega328P only. Its program is `avr8js_run.cjs`."""
 
 from __future__ import annotations
 
-import json
-import os
-import shutil
-import signal
 import subprocess
-from pathlib import Path
 from typing import Any
 
-from msgspec.structs import replace
-
-from robosmi import inputs, resources
-from robosmi.base.data_text import Json, json_written
-from robosmi.errors import MissingToolError, VerificationError
+from robosmi import inputs
+from robosmi.base.data_text import Json
+from robosmi.errors import VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
-from robosmi.verify.bench import Bench
-from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
-
-PACKAGES = "ROBOSMI_NPM"
-"""Environment variable: the folder in which `npm install avr8js` was run."""
-_ENDS_S = 10.0
-"""Time in seconds that node may take to end when it has closed its output."""
-_PROGRAM = Path(__file__).with_name("avr8js_run.cjs")
+from robosmi.transformations.verification.engines.node_engine import NodeBench, NodeEngine
+from robosmi.verify.simulation import Job, Wave
 
 
-def _packages() -> list[Path]:
-    """The folders with npm packages, in the order in which they are searched."""
-    named = os.environ.get(PACKAGES)
-    return [Path(place) / "node_modules" for place in ([named] if named else []) + [str(resources.user_data() / "npm")]]
+class _Run(NodeBench):
+    """One program; the timers' waves follow from what it writes into their registers."""
 
+    def __init__(self, process: subprocess.Popen[str], job: Job, title: str) -> None:
+        super().__init__(process, job, title)
+        self._timers = Timers(job.timers, job.pins, job.clock_hz)
 
-def _version() -> str | None:
-    """The version of avr8js that is installed, if it is."""
-    for folder in _packages():
-        try:
-            found: str = json.loads(inputs.read_text(folder / "avr8js" / "package.json", inputs.SETTINGS))["version"]
-        except (OSError, ValueError, KeyError):
-            continue
-        return found
-    return None
+    @staticmethod
+    def ticks_hz(job: Job) -> int:
+        """Cycles of the processor."""
+        return job.clock_hz
 
+    def question(self) -> dict[str, Json]:
+        """The program in Intel HEX, and the registers whose writes are to be told.
 
-class Avr8js:
-    """The engine (see `Engine`)."""
-
-    name = "avr8js"
-
-    def missing(self) -> str | None:
-        """What is not installed here; None if it can run."""
-        if shutil.which("node") is None:
-            return "install node (Debian: apt-get install nodejs npm), then avr8js"
-        if _version() is None:
-            return f"run: npm install --prefix {_packages()[-1].parent} avr8js"
-        return None
-
-    def version(self) -> str | None:
-        """The version that is installed; None if it is not."""
-        return _version()
-
-    def serves(self, mcu: str) -> bool:
-        """Whether it knows the microcontroller."""
-        return mcu == "atmega328p"
-
-    def run(self, job: Job) -> PinTrace:
-        """Run a program, with node as a child of this process."""
-        if advice := self.missing():
-            raise MissingToolError("avr8js is not installed", fix=advice)
-        path = os.pathsep.join(str(folder) for folder in _packages())
-        with subprocess.Popen(
-            ["node", str(_PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, encoding="latin-1", env=os.environ | {"NODE_PATH": path},
-        ) as process:  # fmt: skip
-            try:
-                return _Run(process, job).run()
-            finally:
-                process.kill()
-
-
-class _Run(Bench):
-    """One program on one simulated microcontroller."""
-
-    def __init__(self, process: subprocess.Popen[str], job: Job) -> None:
-        super().__init__(tuple(job.pins), job.clock_hz)
-        self._process, self._job = process, job
-        self._cycle = 0
-        self._commands: list[list[Json]] = []
-        self._console: list[ConsoleByte] = []
-        self.timers = Timers(job.timers, job.pins, job.clock_hz)
-
-    # ---- the interface for devices
-
-    @property
-    def cycle(self) -> int:
-        """The cycles since reset."""
-        return self._cycle
-
-    def wake_at(self, cycle: int) -> None:
-        """Do nothing: each answer to the simulator says when it has to ask again."""
-
-    def set_level(self, pin: str, level: int | None) -> None:
-        """Drive a pin from outside, low or high; None lets go of it."""
-        self._commands.append(["set", pin, level])
-
-    def join(self, pin: str, other: str) -> None:
-        """Close a contact between two pins."""
-        self._commands.append(["join", pin, other])
-
-    def part(self, pin: str, other: str) -> None:
-        """Open the contact between two pins."""
-        self._commands.append(["part", pin, other])
-
-    def set_voltage(self, pin: str, millivolts: float) -> None:
-        """Put a voltage on a pin of the converter."""
-        self._commands.append(["adc", self._job.analog[pin], millivolts / 1000])
-
-    def send(self, data: bytes) -> None:
-        """Let bytes arrive on the program's console."""
-        self._commands.append(["send", list(data)])
-
-    # ---- the run
-
-    def run(self) -> PinTrace:
-        """Run until the horizon."""
-        job = self._job
+        Raises:
+            VerificationError: the program cannot be read.
+        """
+        job = self.job
         try:
             text = inputs.read_text(job.hex, inputs.OUTPUT, "ascii")
         except (OSError, ValueError) as error:
             raise VerificationError(f"'{job.hex}' cannot be read: {error}", fix="compile the program again") from error
-        self.connect(job.devices, job.brief)
-        begun, self._commands = self._commands, []
-        end = round(job.horizon_us * job.clock_hz / 1e6)
-        question: dict[str, Json] = {"hex": text, "clock": job.clock_hz, "pins": dict(job.pins), "end": end}
-        question |= {"reactive": sorted(self.heeded), "brief": sorted(self.brief)}
-        self._write({**question, "registers": self.timers.registers, "reached": job.reached})
-        while (told := self._read())["ask"] != "end":
-            self._note(told["log"])
-            self._cycle = told["t"]
-            if told["ask"] == "start":
-                self._commands = begun
-            elif told["ask"] == "bus":
-                self._commands.append(["answer", self._bus(told)])
-            self._commands.append(["wake", self.wake()])
-            self._write(self._commands)
-            self._commands = []
-        self._note(told["log"])
-        self._cycle = min(told["t"], end) if told["crashed"] else end
-        self.ended()
-        state = "crashed" if told["crashed"] else "running"
-        trace = self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
-        return replace(trace, reached=tuple(told.get("reached", ())), console_baud=told["baud"])
+        return {"hex": text, "clock": job.clock_hz, "registers": list(self._timers.registers)}
 
-    def _note(self, log: list[list[Any]]) -> None:
-        for kind, cycle, first, *more in log:
-            self._cycle = cycle
-            if kind == "p":
-                self.pin_changed(first, more[0])
-            elif kind == "w":
-                self.timers.written(self.now, first, more[0])
-            else:
-                self._console.append(ConsoleByte(self.now, first))
+    def noted(self, values: list[Any]) -> None:
+        """Record a write of a register."""
+        self._timers.written(self.now, *values)
 
-    def _bus(self, told: dict[str, Any]) -> int:
-        address = told["address"]
-        if told["bus"] == "start":
-            return int(self.bus_start(address, told["read"]))
-        if told["bus"] == "write":
-            return int(self.bus_write(address, told["byte"]))
-        if told["bus"] == "read":
-            return self.bus_read(address)
-        self.bus_stop(address)
-        return 0
+    @property
+    def waves(self) -> list[Wave]:
+        """See `NodeBench`."""
+        return self._timers.waves
 
-    def _write(self, value: Json) -> None:
-        stream = self._process.stdin
-        if stream is None:
-            raise VerificationError("node has no standard input")
-        try:
-            stream.write(json_written(value) + "\n")
-            stream.flush()
-        except OSError as error:
-            raise self._ended() from error
 
-    def _read(self) -> dict[str, Any]:
-        line = self._process.stdout.readline() if self._process.stdout is not None else ""
-        if not line:
-            raise self._ended()
-        told: dict[str, Any] = json.loads(line)
-        return told
+class Avr8js(NodeEngine):
+    """The engine (see `Engine`)."""
 
-    def _ended(self) -> VerificationError:
-        if self._process.wait(_ENDS_S) == -signal.SIGXCPU:
-            os.kill(os.getpid(), signal.SIGXCPU)  # the time limit is this process's as well
-        said = self._process.stderr.read() if self._process.stderr is not None else ""
-        lines = [line for line in said.splitlines() if "Error" in line]
-        return VerificationError(f"avr8js failed: {lines[0] if lines else 'no message'}", fix="try another engine")
+    name = "avr8js"
+    mcus = frozenset({"atmega328p"})
+    bench = _Run

@@ -95,6 +95,7 @@ def search(
     inputs = [with_thresholds(made, each.with_ends()) for each in inputs]
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
         made.try_signals(random_signals(inputs, made.horizon, chance))
+    made.found.repeatable = not effort.late
     return _fewest(made.found, made.reached_by, known)
 
 

@@ -55,6 +55,7 @@ class FoundScenarios(Struct):
         racy_counts: coverage counters of the dropped ones, for the branches that only they reach.
         least_racy: the first dropped one, in which least happens, with its nominal run.
         tried: how many were run.
+        repeatable: whether the same search finds the same on any machine: no clock has ended it.
     """
 
     scenarios: list[tuple[Scenario, SourceRuns]] = []
@@ -62,6 +63,7 @@ class FoundScenarios(Struct):
     racy_counts: list[bytes] = []
     least_racy: tuple[Scenario, OriginalRun] | None = None
     tried: int = 0
+    repeatable: bool = True
 
 
 class Trials:

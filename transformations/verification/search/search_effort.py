@@ -29,12 +29,14 @@ class SearchEffort(Struct):
         spent_s: the seconds spent, of a typical machine.
         begun_s: when the search began, by this machine's clock.
         given_up: whether the search ends before its budget does.
+        late: whether the clock has ended the search or a part of it, so that another run may find something else.
     """
 
     budget_s: float
     spent_s: float = 0.0
     begun_s: float = field(default_factory=monotonic)
     given_up: bool = False
+    late: bool = False
 
     def add(self, run: OriginalRun, times: int = 1) -> None:
         """Add the estimated time of a run, or of several like it."""
@@ -44,9 +46,11 @@ class SearchEffort(Struct):
 
     def is_over(self, share: float = 1.0) -> bool:
         """Whether a share of the budget is spent, or as large a share of the limit by the clock."""
-        return (
-            self.given_up or self.spent_s >= share * self.budget_s or monotonic() - self.begun_s >= share * _OUTER * self.budget_s
-        )
+        if self.given_up or self.spent_s >= share * self.budget_s:
+            return True
+        late = monotonic() - self.begun_s >= share * _OUTER * self.budget_s
+        self.late |= late
+        return late
 
     def has_spent(self, since_s: float, seconds: float) -> bool:
         """Whether a stage of the search has spent what it may.

@@ -60,6 +60,7 @@ inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
 }
 
 //# helper wheels
+//#   needs: hal/PinInput hal/Uninterrupted
 //#   ram: 72
 struct Wheel {
   volatile int16_t speed, target;     // ticks/s
@@ -74,14 +75,10 @@ struct Wheel {
   volatile int8_t sense;              // sign of the last motion
   uint8_t level;                      // encoder: bit 0 the level counted last, bit 1 the level seen last
   uint8_t pin, encoder;
-  volatile uint8_t *in;               // the encoder's register and bit
-  uint8_t mask;
+  PinInput input;                     // of the encoder
   template <class Int> Int whole(const volatile Int &value) const {  // not torn by an interrupt
-    uint8_t old = SREG;
-    cli();
-    Int now = value;
-    SREG = old;
-    return now;
+    Uninterrupted now;
+    return value;
   }
   void change_by(int16_t most, int32_t part, int32_t whole) {  // the step: the part of `most` that its change is of the greater one
     finer_sum = 0;
@@ -105,7 +102,7 @@ static void (*drive_counts)();  // what begins to count encoder ticks when the d
 static uint8_t drive_pins[2] = {left_servo, right_servo};
 
 //# helper drive_frame
-//#   needs: wheels drive_top drive_pulse servo.h/ServoSlot servo.h/servo_us
+//#   needs: wheels drive_top drive_pulse servo.h/ServoSlot servo.h/servo_us hal/ServoPin
 //#   ram: 3
 static void (*drive_goto_frame)(Wheel &wheel);
 static volatile uint8_t drive_frames;
@@ -152,7 +149,7 @@ inline void drive_wait_rest() {
 }
 
 //# helper drive_start
-//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/frames servo.h/servo_us simpletools.h/Io
+//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/frames servo.h/servo_us hal/Io hal/ServoPin
 //#   ram: 1
 static bool drive_on;
 
@@ -172,7 +169,7 @@ inline void drive_start() {  // as long as the library takes for the start of it
 }
 
 //# helper drive_encoders
-//#   needs: wheels servo.h/background simpletools.h/Io
+//#   needs: wheels hal/Io hal/PinInput servo.h/background
 //#   port: left_encoder = abdrive.left_encoder 14 digital in encoder
 //#   port: right_encoder = abdrive.right_encoder 15 digital in encoder
 //#   fidelity: a change of level is a tick when it is seen twice, as there; levels are read 976 times a second, there 800 times
@@ -181,8 +178,8 @@ static uint8_t drive_encoder_pins[2] = {left_encoder, right_encoder};
 
 inline void drive_sample() {
   for (auto &wheel : wheels) {
-    if (!wheel.mask) continue;
-    uint8_t now = (*wheel.in & wheel.mask) != 0, seen = wheel.level >> 1;
+    if (!wheel.input.wired()) continue;
+    uint8_t now = wheel.input.high(), seen = wheel.level >> 1;
     if (now == seen && now != (wheel.level & 1)) {
       wheel.ticks += wheel.sense;
       wheel.level ^= 1;
@@ -198,8 +195,7 @@ inline void drive_watch_encoders() {
     Io io(wheel.encoder);
     if (io.wired()) io.drive(false);
     wheel.level = io.high() * 3;
-    wheel.in = io.in;
-    wheel.mask = io.mask;
+    wheel.input = input_of(io);
     wheel.sense = wheel.sense ? wheel.sense : 1;
   }
   sample_in_background(drive_sample);
@@ -213,9 +209,8 @@ static DriveCounts drive_counts_from_its_start;
 //# adapter drive_speed
 //#   for: void drive_speed(int left, int right)
 //#   kind: semantic
-//#   needs: drive_step wheels drive_frame drive_start simpletools.h/TimedInput
+//#   needs: drive_step wheels drive_frame drive_start hal/Uninterrupted simpletools.h/TimedInput
 //#   role: servo
-//#   timer: Timer1
 //#   fidelity: acts on a change only, and returns after 6 frames (100 to 120 ms), later when a wheel rests, while the ramp goes on; the
 //#   fidelity: first call starts the drive, which takes 140 ms
 //#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_pulse)
@@ -227,17 +222,18 @@ static DriveCounts drive_counts_from_its_start;
 inline void drive_head_for(int16_t left, int16_t right) {
   int16_t to[2] = {left, right};
   frames_due();  // those before this call
-  uint8_t old = SREG;
-  cli();
-  uint8_t last = drive_frames;  // with the next one the change begins
-  int16_t change[2] = {(int16_t)abs(left - wheels[0].speed), (int16_t)abs(right - wheels[1].speed)};
-  for (uint8_t side = 0; side < 2; side++) {
-    Wheel &wheel = wheels[side];
-    wheel.going = 0;
-    wheel.target = to[side];
-    wheel.change_by(drive_step, change[side], change[!side]);
+  uint8_t last;
+  {
+    Uninterrupted now;
+    last = drive_frames;  // with the next one the change begins
+    int16_t change[2] = {(int16_t)abs(left - wheels[0].speed), (int16_t)abs(right - wheels[1].speed)};
+    for (uint8_t side = 0; side < 2; side++) {
+      Wheel &wheel = wheels[side];
+      wheel.going = 0;
+      wheel.target = to[side];
+      wheel.change_by(drive_step, change[side], change[!side]);
+    }
   }
-  SREG = old;
   if (wheels[0].rest || wheels[1].rest) {
     drive_wait_rest();
     last = drive_frames;
@@ -297,7 +293,7 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //# adapter drive_getTicks
 //#   for: void drive_getTicks(int *left, int *right)
 //#   kind: semantic
-//#   needs: drive_encoders wheels
+//#   needs: drive_encoders wheels hal/Uninterrupted
 //#   role: encoder
 //#   fidelity: ticks since the first call that drives, and 0 before it, counted up or down by the sense in which the wheel was driven last,
 //#   fidelity: as there
@@ -305,26 +301,22 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   interrupt: TIMER0_COMPA_vect 26 26
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
   (void)drive_counts_from_its_start;
-  uint8_t old = SREG;
-  cli();
+  Uninterrupted now;
   *left = wheels[0].ticks;
   *right = wheels[1].ticks;
-  SREG = old;
 }
 
 //# adapter drive_getTicksCalc
 //#   for: void drive_getTicksCalc(int *left, int *right)
 //#   kind: semantic
-//#   needs: wheels
+//#   needs: wheels hal/Uninterrupted
 //#   fidelity: ticks as the speeds make them
 //#   limit: encoders do not hold them within the error limit
 //#   stack: 0
 template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
-  uint8_t old = SREG;
-  cli();
+  Uninterrupted now;
   *left = wheels[0].way50 / 50;
   *right = wheels[1].way50 / 50;
-  SREG = old;
 }
 
 //# helper drive_going
@@ -370,11 +362,11 @@ inline bool drive_on_the_way() {
 //# adapter drive_goto
 //#   for: void drive_goto(int distLeft, int distRight)
 //#   kind: semantic
-//#   needs: drive_goto_step drive_top wheels drive_frame drive_start drive_encoders drive_speed drive_going simpletools.h/TimedInput
+//#   needs: drive_goto_step drive_top wheels drive_frame drive_start drive_encoders drive_speed drive_going hal/Uninterrupted simpletools.h/TimedInput
 //#   role: encoder
 //#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever
-//#   stack: 103 82
+//#   stack: 102 82
 //#   interrupt: TIMER0_COMPA_vect 30 30
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 62 62
@@ -385,23 +377,23 @@ inline void drive_goto(int32_t distLeft, int32_t distRight) {
   drive_speed(0, 0);
   int16_t top_before = drive_top;
   frames_due();  // those before this call
-  uint8_t old = SREG;
-  cli();
-  drive_still = 0;
-  drive_goto_frame = drive_go_on;
-  drive_top = 64;
-  for (uint8_t side = 0; side < 2; side++) {
-    Wheel &wheel = wheels[side];
-    int32_t own = abs(way[side]), most = abs(way[!side]);
-    bool close = abs(wheel.goal - wheel.ticks) < 6;  // what was missed is made up for
-    wheel.goal = (close ? wheel.goal : wheel.ticks) + way[side];
-    wheel.top = own < most ? 64 * own / most : 64;
-    wheel.top_finer = own < most ? 64 * own % most * 50 / most : 0;
-    wheel.top_finer_sum = 0;
-    wheel.change_by(drive_goto_step, own, most);
-    wheel.going = 1;
+  {
+    Uninterrupted now;
+    drive_still = 0;
+    drive_goto_frame = drive_go_on;
+    drive_top = 64;
+    for (uint8_t side = 0; side < 2; side++) {
+      Wheel &wheel = wheels[side];
+      int32_t own = abs(way[side]), most = abs(way[!side]);
+      bool close = abs(wheel.goal - wheel.ticks) < 6;  // what was missed is made up for
+      wheel.goal = (close ? wheel.goal : wheel.ticks) + way[side];
+      wheel.top = own < most ? 64 * own / most : 64;
+      wheel.top_finer = own < most ? 64 * own % most * 50 / most : 0;
+      wheel.top_finer_sum = 0;
+      wheel.change_by(drive_goto_step, own, most);
+      wheel.going = 1;
+    }
   }
-  SREG = old;
   if (drive_goto_waits) {
     while (drive_on_the_way()) yield();
     delay(40);

@@ -12,7 +12,7 @@ const uint8_t ad_pins[4] = {ad_0, ad_1, ad_2, ad_3};
 //# adapter ad_init
 //#   for: void ad_init(int csPin, int sclPin, int doPin, int diPin)
 //#   kind: semantic
-//#   needs: ad_pins simpletools.h/Io
+//#   needs: ad_pins hal/Io
 //#   symmetric: csPin sclPin doPin diPin
 //#   fidelity: the four channels become inputs; the pins given are those of the source board's converter, which is not there
 //#   stack: 4 0
@@ -24,13 +24,12 @@ inline void ad_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin)
 //# adapter ad_in
 //#   for: int ad_in(int channel)
 //#   kind: oneToOne
-//#   needs: ad_pins
+//#   needs: ad_pins hal/analog_counts
 //#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
 //#   limit: 10 bits; the reference is the supply of the board
 //#   stack: 2 0
 inline int32_t ad_in(int32_t channel) {
-  uint8_t pin = ad_pins[channel & 3];
-  return pin < NUM_DIGITAL_PINS ? analogRead(pin) * 4L : 0;
+  return analog_counts(ad_pins[channel & 3]);
 }
 
 //# adapter ad_volts
@@ -39,7 +38,7 @@ inline int32_t ad_in(int32_t channel) {
 //#   needs: ad_in
 //#   fidelity: in steps of 5 mV
 //#   limit: 10 bits; the reference is the supply of the board
-//#   stack: 2 0
+//#   stack: 10 0
 inline float ad_volts(int32_t channel) {
   return ad_in(channel) * (5.0f / 4096.0f);
 }
@@ -115,10 +114,10 @@ inline void da_volts(int32_t channel, float daVal) {
 //# adapter da_setupScale
 //#   for: void da_setupScale(void)
 //#   kind: semantic
-//#   needs: _abvolts_EE_start_ da_pins da_scale ad_volts simpletools.h/ee_putFloat32 simpletools.h/ee_putStr simpletools.h/high simpletools.h/Io simpletools.h/low simpletext.h/print
+//#   needs: _abvolts_EE_start_ da_pins da_scale ad_volts simpletools.h/ee_putFloat32 simpletools.h/ee_putStr simpletools.h/high hal/Io simpletools.h/low simpletext.h/print
 //#   fidelity: both outputs are read back 40 times through the first two channels, and the ratio to 3.3 V is kept in EEPROM, as there
 //#   limit: outputs are high at 5 V here, which is the reading of a right circuit; the words that it prints are others than there
-//#   stack: 307 289
+//#   stack: 311 293
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline void da_setupScale() {
@@ -161,7 +160,7 @@ inline void da_useScale() {
 //# adapter da_stop
 //#   for: void da_stop(void)
 //#   kind: semantic
-//#   needs: da_pins simpletools.h/Io
+//#   needs: da_pins hal/Io
 //#   fidelity: both pins become inputs, as when the library's cog stops
 //#   stack: 7 0
 inline void da_stop() {

@@ -12,7 +12,7 @@ const uint8_t adc_pins[4] = {adc_0, adc_1, adc_2, adc_3};
 //# adapter adc_init
 //#   for: void adc_init(int csPin, int sclPin, int doPin, int diPin)
 //#   kind: semantic
-//#   needs: adc_pins simpletools.h/Io
+//#   needs: adc_pins hal/Io
 //#   symmetric: csPin sclPin doPin diPin
 //#   fidelity: the four channels become inputs; the pins given are those of the source board's converter, which is not there
 //#   stack: 4 0
@@ -24,13 +24,12 @@ inline void adc_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin
 //# adapter adc_in
 //#   for: int adc_in(int channel)
 //#   kind: oneToOne
-//#   needs: adc_pins
+//#   needs: adc_pins hal/analog_counts
 //#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
 //#   limit: 10 bits; the reference is the supply of the board
 //#   stack: 2 0
 inline int32_t adc_in(int32_t channel) {
-  uint8_t pin = adc_pins[channel & 3];
-  return pin < NUM_DIGITAL_PINS ? analogRead(pin) * 4L : 0;
+  return analog_counts(adc_pins[channel & 3]);
 }
 
 //# adapter adc_volts
@@ -39,7 +38,7 @@ inline int32_t adc_in(int32_t channel) {
 //#   needs: adc_in
 //#   fidelity: in steps of 5 mV
 //#   limit: 10 bits; the reference is the supply of the board
-//#   stack: 2 0
+//#   stack: 10 0
 inline float adc_volts(int32_t channel) {
   return adc_in(channel) * (5.0f / 4096.0f);
 }

@@ -24,60 +24,15 @@
 //#   ram: 1
 static uint8_t arlo_pin = arlo_line;
 
-//# helper ArloLine
-//#   needs: simpletools.h/Io
-//#   include: <util/delay_basic.h>
-//#   fidelity: 19,200 baud both ways on one line that a pull-up holds high
-struct ArloLine {
-  Io io;
-
-  explicit ArloLine(uint8_t pin) : io(pin) {
-    if (io.wired()) release();
-  }
-  void release() const {
-    io.put(io.direction, false);
-    io.put(io.out, true);
-  }
-  void hold(uint8_t part) const { _delay_loop_2(part - 6); }  // units of 4 cycles; 6 for what stands around it
-  static constexpr uint8_t whole = F_CPU / 19200 / 4;
-  bool waits() const { return io.wired() && !io.high(); }  // a start bit is on the line
-  void send(uint8_t byte) const {
-    if (!io.wired()) return;
-    uint8_t old = SREG;
-    cli();
-    for (uint16_t bits = byte << 1 | 0x200, left = 10; left; left--, bits >>= 1) {
-      if (bits & 1) release();
-      else {
-        io.put(io.out, false);
-        io.put(io.direction, true);
-      }
-      hold(whole - 4);
-    }
-    SREG = old;
-  }
-  uint8_t receive() const {  // right after the start bit began
-    uint8_t old = SREG, byte = 0;
-    cli();
-    hold(whole / 2);
-    for (uint8_t number = 0; number < 8; number++) {
-      hold(whole);
-      byte = byte >> 1 | (io.high() ? 0x80 : 0);
-    }
-    hold(whole);
-    SREG = old;
-    return byte;
-  }
-};
-
 //# helper arlo_command
-//#   needs: arlo_pin ArloLine DHB10_LEN
+//#   needs: arlo_pin hal/HalfDuplexLine DHB10_LEN
 //#   fidelity: up to a second for an answer, as there; nothing else runs while it waits
 //#   ram: 64
 static char arlo_reply[DHB10_LEN];
 
 inline char *arlo_command(const char *text) {
   memset(arlo_reply, 0, DHB10_LEN);
-  ArloLine line(arlo_pin);
+  HalfDuplexLine line(arlo_pin);
   uint8_t length = 0;
   do line.send(text[length]);
   while (text[length] && text[length++] != '\r');
@@ -343,7 +298,7 @@ inline void drive_speedBlocking(int32_t enabled) {
 //# adapter drive_close
 //#   for: void drive_close(void)
 //#   kind: oneToMany
-//#   needs: arlo_on arlo_pin drive_speedBlocking drive_speed simpletools.h/Io
+//#   needs: arlo_on arlo_pin drive_speedBlocking drive_speed hal/Io
 //#   role: motor-controller
 //#   fidelity: exact: the wheels stand, and the pin is an input
 //#   stack: 341 323
@@ -373,7 +328,7 @@ inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
 //# adapter dhb10_terminal
 //#   for: void dhb10_terminal(fdserial *fdterm)
 //#   kind: semantic
-//#   needs: arlo_on arlo_pin ArloLine drive_open fdserial.h/fdserial simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/dprint simpletext.h/writeChar simpletext.h/sendChar simpletext.h/readChar
+//#   needs: arlo_on arlo_pin hal/HalfDuplexLine drive_open fdserial.h/fdserial simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/dprint simpletext.h/writeChar simpletext.h/sendChar simpletext.h/readChar
 //#   role: motor-controller
 //#   fidelity: what is typed goes to the controller, what it says is shown, up to a line with "exit" or "EXIT"
 //#   stack: 314 301
@@ -383,7 +338,7 @@ inline void dhb10_terminal(fdserial *fdterm) {
   text_t *terminal = fdterm ? fdterm : dport_ptr;
   if (!terminal || !terminal->port) return;
   if (!arlo_on) drive_open();
-  ArloLine line(arlo_pin);
+  HalfDuplexLine line(arlo_pin);
   dprint(terminal, "Arlo Command Mode\nReady\n> ");
   char typed[32] = "";
   for (uint8_t count = 0;;) {

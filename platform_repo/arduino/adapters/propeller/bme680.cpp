@@ -360,7 +360,6 @@ inline float bme680_humidity_of(const bme680_t *dev, float measured) {
 
 //# helper bme680_resistance_of
 //#   needs: bme680_t
-//#   include: <avr/pgmspace.h>
 //#   fidelity: ohms
 inline float bme680_resistance_of(const bme680_t *dev, float measured, uint8_t range) {
   static const int8_t first[16] PROGMEM = {0, 0, 0, 0, 0, -10, 0, -8, 0, 0, -2, -5, 0, -10, 0, 0};  // tenths of a per cent

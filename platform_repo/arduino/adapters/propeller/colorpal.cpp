@@ -7,7 +7,7 @@
 typedef text_t colorPal;
 
 //# helper colorPal_reset
-//#   needs: colorPal fdserial.h/SerialLine simpletext.h/text_t simpletools.h/Io
+//#   needs: colorPal hal/SerialLine simpletext.h/text_t hal/Io
 //#   fidelity: exact: the line is low for 80 ms, once the sensor has let it go
 inline void colorPal_reset(colorPal *device) {
   SerialLine *line = static_cast<SerialLine *>(device->port);

@@ -27,7 +27,7 @@ inline dac2ch *dac2ch_start(int32_t bits) {
 //# adapter dac2ch_set
 //#   for: void dac2ch_set(dac2ch *device, int pin, int channel, int dacVal)
 //#   kind: semantic
-//#   needs: dac2ch simpletools.h/Io
+//#   needs: dac2ch hal/Io
 //#   pin: pin pwm out
 //#   fidelity: the mean voltage, of 8 bits and 5 V; less than nothing makes the pin an input, and so does another pin of the channel
 //#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower

@@ -23,7 +23,7 @@ struct dacmem {
 };
 
 //# helper dac_put
-//#   needs: dac simpletools.h/Io
+//#   needs: dac hal/Io
 inline void dac_put(const dac *da, int32_t value) {
   Io io(da->daPin);
   uint32_t fraction = (uint32_t)value << da->daBitX;  // of 2 to the power of 32; what does not fit is lost, as there
@@ -31,7 +31,7 @@ inline void dac_put(const dac *da, int32_t value) {
 }
 
 //# helper dac_end
-//#   needs: dac simpletools.h/Io
+//#   needs: dac hal/Io
 inline void dac_end(const dac *da) {
   Io io(da->daPin);
   if (!io.wired()) return;

@@ -41,7 +41,7 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //# adapter dht22_read
 //#   for: char dht22_read(int dht_pin)
 //#   kind: semantic
-//#   needs: dht22_celsius dht22_humidity dht22_hasty simpletools.h/Io simpletools.h/TimedInput
+//#   needs: dht22_celsius dht22_humidity dht22_hasty hal/Io simpletools.h/TimedInput
 //#   pin: dht_pin digital both
 //#   fidelity: 1 when the checksum is right, which it never is below 0 degrees, as there; waits for half a second after the last reading, and listens for 47 ms, as there
 //#   fidelity: an edge within an interrupt is taken for its middle, and one that an interrupt hides is known by the period: bits are right beside interrupts of up to 40 us

@@ -40,143 +40,8 @@ typedef text_t fdserial;
 //#   fidelity: exact
 #define FDSERIAL_MODE_ECHO_RX_TO_TX 32
 
-//# helper SerialLine
-//#   needs: simpletools.h/Io simpletools.h/PinWatch simpletools.h/TimedInput simpletools.h/quiet_of_servos
-//#   include: <util/delay_basic.h>
-//#   fidelity: up to 19,200 baud a byte is put together from the times of its edges, so that other interrupts go on, and several lines
-//#   fidelity: receive at the same time; faster, a byte is received and sent with interrupts off
-//#   ram: 22
-struct SerialLine : Stream, PinWatch {
-  Io receives, sends;
-  bool inverts_rx, inverts_tx, open_drain, drops_echo, fast;
-  uint16_t cycles, bit_us;             // of a bit
-  volatile uint8_t head = 0, tail = 0;
-  uint8_t bytes[64];
-  volatile uint8_t cells = 0;          // of the byte that comes: 0 none, else the start bit and those known
-  uint8_t coming;
-  uint32_t begun;                      // micros of its start bit
-
-  SerialLine(int32_t rxpin, int32_t txpin, uint8_t mode, uint32_t baudrate)
-      : receives(rxpin), sends(txpin), inverts_rx(mode & 1), inverts_tx(mode & 2), open_drain(mode & 4),
-        drops_echo(mode & 8), fast(baudrate > 19200) {
-    cycles = (F_CPU + baudrate / 2) / baudrate;
-    bit_us = (1000000UL + baudrate / 2) / baudrate;
-    if (receives.wired()) {
-      receives.drive(false);
-      if (!inverts_rx) receives.put(receives.out, true);  // a line that is not wired rests
-    }
-    if (sends.wired()) show(true);
-  }
-  virtual ~SerialLine() {
-    end_watch(*this);
-    receives.drive(false);
-    sends.drive(false);
-  }
-  void show(bool mark) const {  // the line's level: 1 at rest
-    bool level = mark != inverts_tx;
-    if (!open_drain) {
-      sends.put(sends.out, level);
-      sends.put(sends.direction, true);
-    } else if (mark) {
-      sends.put(sends.direction, false);
-      sends.put(sends.out, !inverts_tx);  // a pull-up
-    } else {
-      sends.put(sends.out, level);
-      sends.put(sends.direction, true);
-    }
-  }
-  void keep(uint8_t byte) {
-    uint8_t next = (head + 1) & 63;
-    if (next == tail) return;
-    bytes[head] = byte;
-    head = next;
-  }
-  void fill(uint16_t us, bool mark) {  // the line was at that level until so many microseconds after the start bit began
-    for (; cells && us > (uint16_t)(cells * bit_us + bit_us / 2); cells++) {
-      if (cells == 9) {
-        keep(coming);
-        cells = 0;
-        return;
-      }
-      coming = coming >> 1 | (mark ? 0x80 : 0);
-    }
-  }
-  static void fast_edge(PinWatch &watch) {  // right behind the beginning of a start bit, with interrupts off
-    SerialLine &line = static_cast<SerialLine &>(watch);
-    uint8_t rests = line.inverts_rx ? 0 : line.mask, byte = 0;
-    if (line.level == rests) return;
-    uint16_t bit = line.cycles / 4;
-    _delay_loop_2(bit + bit / 2 - 38);
-    for (uint8_t number = 0; number < 8; number++) {
-      byte >>= 1;
-      if ((*line.in & line.mask) == rests) byte |= 0x80;
-      _delay_loop_2(bit - 5);
-    }
-    line.level = *line.in & line.mask;
-    line.keep(byte);
-  }
-  static void edge(PinWatch &watch) {
-    SerialLine &line = static_cast<SerialLine &>(watch);
-    bool mark = (line.level != 0) != line.inverts_rx;
-    uint32_t now = micros(), passed = now - line.begun;
-    if (line.cells == 1 && passed < line.bit_us / 2) line.cells = 0;  // no start bit
-    if (line.cells) line.fill(passed > 60000 ? 60000 : passed, !mark);
-    if (line.cells || mark) return;
-    line.begun = now;
-    line.cells = 1;
-  }
-  virtual int available() {
-    uint8_t old = SREG;
-    cli();
-    uint32_t passed = micros() - begun;
-    if (cells && passed > bit_us * 9U + bit_us / 2U) fill(60000, (level != 0) != inverts_rx);  // its last bits were like the stop bit
-    uint8_t count = (head - tail) & 63;
-    SREG = old;
-    return count;
-  }
-  virtual int peek() { return available() ? bytes[tail] : -1; }
-  virtual int read() {
-    if (!available()) return -1;
-    uint8_t byte = bytes[tail];
-    tail = (tail + 1) & 63;
-    return byte;
-  }
-  virtual void flush() {}
-  virtual size_t write(uint8_t byte) {
-    if (!sends.wired()) return 1;
-    if (frames_due) frames_due();
-    frames_wait = 50;
-    if (cycles < F_CPU / 9000) quiet_of_servos(bit_us * 10UL);
-    uint16_t bits = byte << 1 | 0x200, until = 0;
-    uint8_t old = SREG, last = head;
-    cli();
-    uint32_t start = micros();
-    for (uint8_t left = 10; left; left--, bits >>= 1) {
-      show(bits & 1);
-      if (fast) {
-        _delay_loop_2(cycles / 4 - 27);
-        continue;
-      }
-      SREG = old;  // other interrupts have their time behind an edge, so that none runs when the next one is due
-      uint16_t quiet = until + bit_us - 32;
-      while (micros() - start < quiet) {}
-      cli();
-      until += bit_us;
-      while (micros() - start < until) {}
-    }
-    frames_wait = 0;
-    if (drops_echo) {
-      head = last;
-      cells = 0;
-    }
-    SREG = old;
-    return 1;
-  }
-  using Print::write;
-};
-
 //# helper open_line
-//#   needs: SerialLine simpletext.h/text_t simpletools.h/watch_pin
+//#   needs: hal/SerialLine simpletext.h/text_t hal/watch_pin
 //#   fidelity: a device of text for a serial line at two pins, of which either may be none; at those of the console, Serial
 inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   text_t *line = new text_t();
@@ -335,7 +200,7 @@ inline int32_t fdserial_txEmpty(fdserial *term) {
 //# adapter fdserial_close
 //#   for: void fdserial_close(fdserial *term)
 //#   kind: oneToMany
-//#   needs: fdserial SerialLine fdserial_rxFlush fdserial_txFlush simpletext.h/text_t
+//#   needs: fdserial hal/SerialLine fdserial_rxFlush fdserial_txFlush simpletext.h/text_t
 //#   fidelity: what was to be sent is sent, then the pins are inputs and nothing more is received
 //#   stack: 8 6
 //#   interrupt: USART_RX_vect 10

@@ -28,7 +28,7 @@
 #define GPS_FALSE 0L
 
 //# helper gps_receiver
-//#   needs: simpletext.h/text_t
+//#   needs: hal/Uninterrupted simpletext.h/text_t
 //#   fidelity: sentences of up to 82 characters, as the standard has them
 //#   ram: 267
 struct GpsReceiver {
@@ -48,10 +48,8 @@ struct GpsReceiver {
       memmove(talkers + 1, talkers, 63);
       *talkers = coming[0] == 'B' && coming[1] == 'D' ? 'B' : coming[1];
     }
-    uint8_t old = SREG;
-    cli();
+    Uninterrupted now;
     memcpy(last[kind], coming, sizeof coming);
-    SREG = old;
   }
   void take(char c) {
     if (c == '$') {
@@ -76,12 +74,13 @@ inline void gps_listen() {  // every millisecond
 }
 
 inline void gps_field(uint8_t kind, uint8_t number, char *text) {  // up to 15 characters; an empty field is 0, as there
-  uint8_t at = 0, old = SREG;
-  cli();
-  const char *from = gps_receiver.last[kind];
-  for (; number && *from; from++) number -= *from == ',';
-  while (!number && from[at] && from[at] != ',' && at < 15) text[at] = from[at], at++;
-  SREG = old;
+  uint8_t at = 0;
+  {
+    Uninterrupted now;
+    const char *from = gps_receiver.last[kind];
+    for (; number && *from; from++) number -= *from == ',';
+    while (!number && from[at] && from[at] != ',' && at < 15) text[at] = from[at], at++;
+  }
   if (!at) text[at++] = '0';
   text[at] = 0;
 }
@@ -104,7 +103,7 @@ inline float gps_degrees(uint8_t number, char positive) {  // a place in degrees
 //# adapter gps_open
 //#   for: int gps_open(int gpsSin, int gpsSout, int gps_baud)
 //#   kind: semantic
-//#   needs: gps_receiver GPS_TRUE fdserial.h/open_line servo.h/background simpletext.h/text_t
+//#   needs: gps_receiver GPS_TRUE hal/Uninterrupted fdserial.h/open_line servo.h/background simpletext.h/text_t
 //#   pin: gpsSin interrupt in
 //#   pin: gpsSout digital out
 //#   fidelity: sentences are read from now on, in the background; the library's cog begins half a second later
@@ -121,10 +120,10 @@ inline int32_t gps_open(int32_t gpsSin, int32_t gpsSout, int32_t gps_baud) {
   gps_receiver.tx = gpsSout;
   gps_receiver.within = false;
   text_t *line = open_line(gpsSin, gpsSout, 0, gps_baud);
-  uint8_t old = SREG;
-  cli();
-  gps_receiver.line = line;
-  SREG = old;
+  {
+    Uninterrupted now;
+    gps_receiver.line = line;
+  }
   sample_in_background(gps_listen);
   return GPS_TRUE;
 }
@@ -132,18 +131,19 @@ inline int32_t gps_open(int32_t gpsSin, int32_t gpsSout, int32_t gps_baud) {
 //# adapter gps_close
 //#   for: void gps_close()
 //#   kind: semantic
-//#   needs: gps_receiver fdserial.h/fdserial_close simpletext.h/text_t
+//#   needs: gps_receiver hal/Uninterrupted fdserial.h/fdserial_close simpletext.h/text_t
 //#   fidelity: nothing more is read, all values are 0 and the pins are inputs, as there
 //#   stack: 8 6
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline void gps_close() {
-  uint8_t old = SREG;
-  cli();
-  text_t *line = gps_receiver.line;
-  gps_receiver.line = 0;
-  memset(gps_receiver.last, 0, sizeof gps_receiver.last);
-  SREG = old;
+  text_t *line;
+  {
+    Uninterrupted now;
+    line = gps_receiver.line;
+    gps_receiver.line = 0;
+    memset(gps_receiver.last, 0, sizeof gps_receiver.last);
+  }
   if (line) fdserial_close(line);
 }
 

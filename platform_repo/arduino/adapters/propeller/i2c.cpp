@@ -26,7 +26,7 @@ typedef I2C_COGDRIVER I2C_SIMPLE;
 //# adapter i2cOpen
 //#   for: I2C *i2cOpen(I2C_COGDRIVER *dev, int scl, int sda, int freq)
 //#   kind: semantic
-//#   needs: I2C I2C_COGDRIVER simplei2c.h/i2c_open simplei2c.h/i2c
+//#   needs: I2C I2C_COGDRIVER hal/TwoWireBus
 //#   pin: scl digital both
 //#   pin: sda digital both
 //#   fidelity: up to 400 kHz, 0 beyond, as there; a frequency below 31 kHz is made 31 kHz
@@ -34,9 +34,7 @@ typedef I2C_COGDRIVER I2C_SIMPLE;
 //#   stack: 0
 inline I2C *i2cOpen(I2C_COGDRIVER *dev, int32_t scl, int32_t sda, int32_t freq) {
   if (freq > 400000) return 0;
-  i2c_open(&dev->i2c.bus, scl, sda, 0);
-  int32_t half = (int32_t)(F_CPU / (freq > 31000 ? freq : 31000) - 16) / 2;
-  if (dev->i2c.bus.wired) TWBR = (uint8_t)(half > 255 ? 255 : half);
+  dev->i2c.bus.open(scl, sda, freq > 31000 ? freq : 31000);
   return &dev->i2c;
 }
 
@@ -57,12 +55,11 @@ inline I2C *simple_i2cOpen(I2C_SIMPLE *dev, int32_t scl, int32_t sda) {
 //# adapter i2cClose
 //#   for: int i2cClose(I2C *dev)
 //#   kind: semantic
-//#   needs: I2C simplei2c.h/i2c
+//#   needs: I2C hal/TwoWireBus
 //#   fidelity: exact: 0, and there are no devices any more
 //#   stack: 0
 inline int32_t i2cClose(I2C *dev) {
-  if (dev->bus.wired) TWCR = 0;
-  dev->bus.wired = false;
+  dev->bus.close();
   return 0;
 }
 
@@ -87,7 +84,7 @@ inline int32_t i2cWriteMore(I2C *dev, const void *buffer, int32_t count, int32_t
 //#   kind: oneToMany
 //#   needs: I2C i2cWriteMore simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte
 //#   fidelity: exact: 0, or -1 for a byte that was not acknowledged, with which the transfer ends here. The address has 8 bits
-//#   stack: 27 2
+//#   stack: 29 4
 inline int32_t i2cWrite(I2C *dev, int32_t address, const void *buffer, int32_t count, int32_t stop) {
   i2c_start(&dev->bus);
   if (!i2c_writeByte(&dev->bus, address)) return i2cWriteMore(dev, buffer, count, stop);
@@ -100,7 +97,7 @@ inline int32_t i2cWrite(I2C *dev, int32_t address, const void *buffer, int32_t c
 //#   kind: oneToMany
 //#   needs: I2C simplei2c.h/i2c_readByte simplei2c.h/i2c_stop
 //#   fidelity: exact: all bytes but the last are acknowledged
-//#   stack: 25 0
+//#   stack: 16 0
 inline int32_t i2cReadMore(I2C *dev, void *buffer, int32_t count, int32_t stop) {
   for (int32_t number = 0; number < count; number++) ((uint8_t *)buffer)[number] = i2c_readByte(&dev->bus, number == count - 1);
   if (stop) i2c_stop(&dev->bus);
@@ -112,7 +109,7 @@ inline int32_t i2cReadMore(I2C *dev, void *buffer, int32_t count, int32_t stop) 
 //#   kind: oneToMany
 //#   needs: I2C i2cReadMore simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte
 //#   fidelity: exact: 0, or -1 when the device does not answer. The address has 8 bits
-//#   stack: 30 11
+//#   stack: 30 10
 inline int32_t i2cRead(I2C *dev, int32_t address, void *buffer, int32_t count, int32_t stop) {
   i2c_start(&dev->bus);
   if (!i2c_writeByte(&dev->bus, address | 1)) return i2cReadMore(dev, buffer, count, stop);

@@ -138,7 +138,7 @@ typedef lcdParallel lcdParallel_t;
 //# adapter lcdParallel_write
 //#   for: void lcdParallel_write(lcdParallel *device, char value, char bits)
 //#   kind: oneToMany
-//#   needs: lcdParallel simpletools.h/Io simpletools.h/low simpletools.h/high
+//#   needs: lcdParallel hal/Io simpletools.h/low simpletools.h/high
 //#   fidelity: the lowest four bits or all eight, the lowest at the first pin; then enable is high for some microseconds, and 100 us pass
 //#   limit: there the data pins are the range from the first to the last; here each takes its own bit, so that they may be anywhere
 //#   stack: 37 25
@@ -155,7 +155,7 @@ inline void lcdParallel_write(lcdParallel *device, uint8_t value, uint8_t bits) 
 //# adapter lcdParallel_send
 //#   for: void lcdParallel_send(lcdParallel *device, char value, char mode)
 //#   kind: oneToMany
-//#   needs: lcdParallel lcdParallel_write LCDP_8BITMODE simpletools.h/Io
+//#   needs: lcdParallel lcdParallel_write LCDP_8BITMODE hal/Io
 //#   fidelity: exact: 0 is a command, 1 a character; on four wires the upper half goes first
 //#   stack: 53 47
 inline void lcdParallel_send(lcdParallel *device, uint8_t value, uint8_t mode) {

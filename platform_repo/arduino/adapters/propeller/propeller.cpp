@@ -8,8 +8,8 @@
 //# task use_cog_driver it names machine code of the Propeller, which no other microcontroller runs: write what that code does in C
 //# task get_cog_driver it names machine code of the Propeller, which no other microcontroller runs: write what that code does in C
 //# task __builtin_propeller_coginit it starts machine code of the Propeller, which no other microcontroller runs: write in C what that code does, and call it from loop, in steps that do not wait
-//# task clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (`wdt_enable(WDTO_15MS)` of avr/wdt.h, then an endless loop); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
-//# task __builtin_propeller_clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (`wdt_enable(WDTO_15MS)` of avr/wdt.h, then an endless loop); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
+//# task clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (on an AVR `wdt_enable(WDTO_15MS)` of avr/wdt.h and an endless loop, on a Pico `rp2040.reboot()`); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
+//# task __builtin_propeller_clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (on an AVR `wdt_enable(WDTO_15MS)` of avr/wdt.h and an endless loop, on a Pico `rp2040.reboot()`); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
 //# task waitvid the video generator of the Propeller is hardware that this board has not: show what it shows on another display
 //# task __builtin_propeller_waitvid the video generator of the Propeller is hardware that this board has not: show what it shows on another display
 
@@ -98,7 +98,7 @@ inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
 }
 
 //# helper read_ports
-//#   needs: simpletools.h/Io port
+//#   needs: hal/Io port
 //#   fidelity: a property of those ports whose bit is set in a mask
 inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
   uint32_t bits = 0;
@@ -112,7 +112,7 @@ inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
 }
 
 //# register INA
-//#   needs: simpletools.h/Io read_ports
+//#   needs: hal/Io read_ports
 //#   fidelity: levels at the pins; they are read one after the other, all in some 250 us; of `INA & mask` only
 //#   fidelity: those of the mask, one in some 25 us
 //#   stack: 28 14
@@ -128,7 +128,7 @@ const struct {
 const auto &_INA = INA;
 
 //# helper PortRegister
-//#   needs: simpletools.h/Io port read_ports
+//#   needs: hal/Io port read_ports
 //#   fidelity: only the bits that change are written, so that pins that other functions drive stay as they are
 struct PortRegister {
   bool directions;
@@ -239,7 +239,7 @@ inline uint32_t getcnt() {
 //# adapter getpin
 //#   for: int getpin(int pin)
 //#   kind: oneToMany
-//#   needs: simpletools.h/Io
+//#   needs: hal/Io
 //#   pin: pin digital in
 //#   fidelity: exact: the output latch is cleared and the direction stays, as there
 //#   stack: 8 0
@@ -263,7 +263,7 @@ inline void setpin(int32_t pin, int32_t value) {
 //# adapter togglepin
 //#   for: void togglepin(int pin)
 //#   kind: oneToMany
-//#   needs: simpletools.h/Io
+//#   needs: hal/Io
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
 //#   stack: 8 0
@@ -333,7 +333,6 @@ inline int32_t lockclr(int32_t lockid) {
 }
 
 //# helper COG_SLOTS
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: how many cogs run beside main at once, and how many bytes the stack of each has: the plan of a migration says
 #ifndef COG_SLOTS
 #define COG_SLOTS 1
@@ -341,12 +340,11 @@ inline int32_t lockclr(int32_t lockid) {
 #endif
 
 //# helper cog_table
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: COG_SLOTS
 //#   fidelity: code of other cogs runs on stacks of its own; one cog runs at a time, until it waits or ends
 //#   limit: a stack holds COG_STACK bytes: locals and calls of the cog, and the interrupts that come meanwhile
 //#   ram: 13
-enum { COG_PAINT = 0xA5, COG_SAVED = 18 };  // what an unused stack is filled with; the registers that a function must keep
+enum { COG_PAINT = 0xA5 };  // what an unused stack is filled with
 
 struct CogTable {
   uint8_t stack[COG_SLOTS][COG_STACK];  // in front: what runs over leaves the rest as it is
@@ -358,63 +356,17 @@ struct CogTable {
 static CogTable cog_table;
 
 //# helper cogs_running
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: bit n: cog n runs; 0 is main
 //#   ram: 1
 static uint8_t cogs_running = 1;
 
-//# helper cog_switch
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   fidelity: keeps the registers that a function must keep, in 8 to 12 us
-extern "C" void cog_switch(uint8_t **save, uint8_t *load) __attribute__((naked, noinline, used, weak));
-void cog_switch(uint8_t **, uint8_t *) {
-  asm volatile(
-      ".irp r,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,28,29\n\tpush \\r\n\t.endr\n\t"
-      "movw r30, r24\n\tin r24, __SP_L__\n\tin r25, __SP_H__\n\tst Z, r24\n\tstd Z+1, r25\n\t"
-      "in r0, __SREG__\n\tcli\n\tout __SP_H__, r23\n\tout __SREG__, r0\n\tout __SP_L__, r22\n\t"  // what follows SREG is atomic
-      ".irp r,29,28,17,16,15,14,13,12,11,10,9,8,7,6,5,4,3,2\n\tpop \\r\n\t.endr\n\t"
-      "ret\n");
-}
-
-//# helper cog_overflow
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   fidelity: a cog that used more than its stack stops the program, which says so on the console where that is open
-inline void cog_overflow(uint8_t number) {
-  noInterrupts();
-#ifdef UCSR0B
-  const char said[] = "\r\ncog 0: more stack than COG_STACK\r\n";
-  for (uint8_t at = 0; UCSR0B & 1 << TXEN0 && said[at]; at++) {
-    while (!(UCSR0A & 1 << UDRE0)) {
-    }
-    UDR0 = said[at] == '0' ? '0' + number : said[at];
-  }
-#endif
-  (void)number;
-  for (;;) {
-  }
-}
-
-//# helper cog_heap
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   fidelity: while a cog runs, the heap may grow as far as the stack of main lets it; weak, as most programs have no heap
-extern char *__malloc_heap_end __attribute__((weak));
-extern size_t __malloc_margin __attribute__((weak));
-
-inline void cog_heap(bool leaves_main, bool enters_main) {  // without an end, malloc takes the stack in use for that of main
-  if (!&__malloc_heap_end) return;
-  if (leaves_main) __malloc_heap_end = (char *)SP - __malloc_margin;
-  if (enters_main) __malloc_heap_end = 0;
-}
-
 //# helper held_up
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: by how many microseconds others made waits of the cog that runs longer, and none was made shorter for it yet
 //#   ram: 4
 static uint32_t held_up = 0;
 
 //# helper cog_pins
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: COG_SLOTS simpletools.h/Io
+//#   needs: COG_SLOTS hal/Io
 //#   fidelity: which pins each cog drives; what is an output when the first cog starts is main's
 //#   ram: 6
 static uint8_t cog_pins[COG_SLOTS + 1][(NUM_DIGITAL_PINS + 7) / 8];
@@ -428,15 +380,14 @@ inline void cog_pins_begin() {
 }
 
 //# helper yield
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: COG_SLOTS cog_pins simpletools.h/Io cog_table cogs_running cog_switch cog_overflow cog_heap held_up
+//#   needs: COG_SLOTS cog_pins hal/Io cog_table cogs_running held_up hal/cog_switch hal/cog_overflow hal/cog_heap hal/cog_frame hal/stack_pointer
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
 //#   stack: 65
 extern "C" inline __attribute__((used)) void yield() {
   uint8_t from = cog_table.now, to = from;
   if (from) {
     const uint8_t *stack = cog_table.stack[from - 1];
-    if (*stack != COG_PAINT || (const uint8_t *)SP < stack + COG_SAVED + 8) cog_overflow(from);
+    if (*stack != COG_PAINT || stack_pointer() < stack + cog_saved + 8) cog_overflow(from);
   }
   do to = to < COG_SLOTS ? to + 1 : 0;
   while (to != from && !(cogs_running >> to & 1));
@@ -451,8 +402,7 @@ extern "C" inline __attribute__((used)) void yield() {
 }
 
 //# helper cog_release
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: COG_SLOTS cog_pins simpletools.h/Io
+//#   needs: COG_SLOTS cog_pins hal/Io
 //#   fidelity: pins that only this cog drove become inputs; a pin that another cog drives, too, keeps its level
 inline void cog_release(uint8_t number) {
   for (uint8_t pin = 0; pin < NUM_DIGITAL_PINS; pin++) {
@@ -468,7 +418,6 @@ inline void cog_release(uint8_t number) {
 }
 
 //# helper cog_stop
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: cog_table cogs_running yield cog_release COG_SLOTS
 //#   fidelity: a cog that stops itself does not come back
 inline void cog_stop(int32_t number) {
@@ -479,7 +428,6 @@ inline void cog_stop(int32_t number) {
 }
 
 //# helper cog_main
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: cog_table cog_stop held_up
 //#   fidelity: a cog stops when its function ends
 inline void cog_main() {
@@ -490,20 +438,14 @@ inline void cog_main() {
 }
 
 //# helper cog_begin
-//#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_main cog_pins COG_SLOTS
+//#   needs: cog_table cogs_running cog_main cog_pins COG_SLOTS hal/cog_frame
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
-  uint8_t *stack = cog_table.stack[number - 1], *top = stack + COG_STACK;
+  uint8_t *stack = cog_table.stack[number - 1];
   memset(stack, COG_PAINT, COG_STACK);
-  *--top = (uint16_t)cog_main;
-  *--top = (uint16_t)cog_main >> 8;
-#ifdef __AVR_3_BYTE_PC__
-  *--top = 0;
-#endif
   cog_pins_begin();
-  cog_table.saved[number] = top - COG_SAVED - 1;
+  cog_table.saved[number] = cog_frame(stack + COG_STACK, cog_main);
   cog_table.code[number] = code;
   cog_table.parameter[number] = parameter;
   cogs_running |= 1 << number;
@@ -511,7 +453,6 @@ inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
 }
 
 //# helper cog_start
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: COG_SLOTS cog_begin
 //#   fidelity: the number of the cog, -1 when none is free
 inline int8_t cog_start(void (*code)(void *), void *parameter) {
@@ -522,7 +463,6 @@ inline int8_t cog_start(void (*code)(void *), void *parameter) {
 }
 
 //# helper cog_stack_used
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: cog_table COG_SLOTS
 //#   fidelity: the most bytes that a cog had on its stack since it was started
 inline uint16_t cog_stack_used(uint8_t number) {
@@ -534,7 +474,6 @@ inline uint16_t cog_stack_used(uint8_t number) {
 
 //# adapter cogstart
 //#   for: int cogstart(void (*func)(void *), void *par, void *stack, size_t stacksize)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
@@ -548,7 +487,6 @@ inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t s
 
 //# adapter cogid
 //#   for: int cogid(void)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: cog_table
 //#   fidelity: exact; 0 is the cog of main
@@ -559,7 +497,6 @@ inline int32_t cogid() {
 
 //# adapter cogstop
 //#   for: void cogstop(int cogid)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: cog_stop
 //#   fidelity: exact
@@ -659,7 +596,6 @@ inline int32_t __builtin_propeller_rev(int32_t value, int32_t cleared) {
 
 //# adapter __builtin_propeller_cogid
 //#   for: int __builtin_propeller_cogid(void)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   needs: cogid
 //#   fidelity: exact; 0 is the cog of main
@@ -670,7 +606,6 @@ inline int32_t __builtin_propeller_cogid() {
 
 //# adapter __builtin_propeller_cogstop
 //#   for: void __builtin_propeller_cogstop(int cogid)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   needs: cogstop
 //#   fidelity: exact

@@ -2,7 +2,6 @@
 // POSIX threads. Read from propgcc b280e7a77, lib/include/pthread.h and lib/pthread. Each thread is a cog here, with a stack of its own.
 
 //# helper Thread
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: what is known of a thread as long as nobody joined it
 struct Thread {
   void *(*code)(void *);
@@ -12,7 +11,6 @@ struct Thread {
 };
 
 //# helper threads
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: Thread propeller.h/COG_SLOTS
 //#   fidelity: the thread of each cog; 0 is main
 //#   ram: 30
@@ -115,7 +113,6 @@ inline int32_t pthread_attr_setdetachstate(pthread_attr_t *attr, int32_t detachs
 }
 
 //# helper thread_end
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: threads propeller.h/cog_table propeller.h/cog_stop Thread
 //#   fidelity: what the thread gave back is kept for the one that joins it
 inline void thread_end(void *value) {
@@ -127,7 +124,6 @@ inline void thread_end(void *value) {
 }
 
 //# helper thread_main
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: thread_end propeller.h/cog_table Thread threads
 //#   fidelity: a thread ends with what its function gives back
 inline void thread_main(void *) {
@@ -137,7 +133,6 @@ inline void thread_main(void *) {
 
 //# adapter pthread_create
 //#   for: int pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(startfunc)(void *), void *arg)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin propeller.h/COG_SLOTS Thread
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
@@ -155,7 +150,6 @@ inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, voi
 
 //# adapter pthread_exit
 //#   for: void pthread_exit(void *value)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: thread_end
 //#   fidelity: exact
@@ -166,7 +160,6 @@ inline void pthread_exit(void *value) {
 
 //# adapter pthread_join
 //#   for: int pthread_join(pthread_t thread, void **result_ptr)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t propeller.h/yield Thread
 //#   fidelity: exact; 22 (EINVAL) for a thread that is detached
@@ -181,7 +174,6 @@ inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
 
 //# adapter pthread_detach
 //#   for: int pthread_detach(pthread_t thread)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t Thread
 //#   fidelity: exact
@@ -194,7 +186,6 @@ inline int32_t pthread_detach(pthread_t thread) {
 
 //# adapter pthread_self
 //#   for: pthread_t pthread_self(void)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: pthread_t threads propeller.h/cog_table
 //#   fidelity: exact
@@ -205,7 +196,6 @@ inline pthread_t pthread_self() {
 
 //# adapter pthread_yield
 //#   for: void pthread_yield(void)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   needs: propeller.h/yield
 //#   fidelity: exact

@@ -47,7 +47,7 @@ inline void rfid_reset(rfidser *device) {
 //# adapter rfid_open
 //#   for: rfidser *rfid_open(int soutPin, int enablePin)
 //#   kind: semantic
-//#   needs: rfidser RfidReader rfid_reset fdserial.h/SerialLine simpletext.h/text_t simpletools.h/watch_pin
+//#   needs: rfidser RfidReader rfid_reset hal/SerialLine simpletext.h/text_t hal/watch_pin
 //#   pin: soutPin interrupt in
 //#   pin: enablePin digital out
 //#   fidelity: it waits half a second, as there, and the reader is on
@@ -87,7 +87,7 @@ inline char *rfid_get(rfidser *device, int32_t timeoutms) {
 //# adapter rfidser_close
 //#   for: void rfidser_close(rfidser *device)
 //#   kind: oneToMany
-//#   needs: rfidser RfidReader fdserial.h/SerialLine simpletext.h/text_t
+//#   needs: rfidser RfidReader hal/SerialLine simpletext.h/text_t
 //#   fidelity: exact: nothing more is received, and the reader stays as it is
 //#   stack: 4
 inline void rfidser_close(rfidser *device) {

@@ -16,7 +16,7 @@ typedef text_t serial;
 #define SERIAL_MAX_PIN 31L
 
 //# helper HalfLine
-//#   needs: fdserial.h/SerialLine simpletools.h/Io
+//#   needs: hal/SerialLine hal/Io
 //#   fidelity: a line that sends and receives at one pin does not hear itself, and lets go of the pin when it is asked for a byte
 //#   ram: 22
 struct HalfLine : SerialLine {
@@ -40,7 +40,7 @@ struct HalfLine : SerialLine {
 //# adapter serial_open
 //#   for: serial *serial_open(int rxpin, int txpin, int mode, int baudrate)
 //#   kind: semantic
-//#   needs: serial HalfLine fdserial.h/SerialLine simpletext.h/text_t simpletext.h/ECHO_RX_TO_TX simpletools.h/watch_pin
+//#   needs: serial HalfLine hal/SerialLine simpletext.h/text_t simpletext.h/ECHO_RX_TO_TX hal/watch_pin
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
 //#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there

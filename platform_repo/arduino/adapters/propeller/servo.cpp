@@ -6,21 +6,16 @@
 // abdrive.h up to 54), and that of the samples, which comes meanwhile, 23 and a sample job (of encoders 23).
 
 //# helper background
-//#   vector: TIMER0_COMPA_vect
+//#   needs: hal/Uninterrupted hal/periods
 //#   fidelity: sample jobs every 1,024 us with interrupts on
 //#   ram: 6
 static void (*sample_jobs[2])();
 static void (*each_period)();  // of 1,024 us
 
-ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {
+inline void period_comes() {
   for (auto job : sample_jobs)
     if (job) job();
   if (each_period) each_period();
-}
-
-inline void count_periods() {
-  if (!OCR0A) OCR0A = 128;  // not right behind the core's interrupt of that timer
-  TIMSK0 |= _BV(OCIE0A);
 }
 
 template <uint8_t places> inline void add_job(void (*(&jobs)[places])(), void (*job)()) {
@@ -33,50 +28,13 @@ template <uint8_t places> inline void add_job(void (*(&jobs)[places])(), void (*
 }
 
 inline void sample_in_background(void (*job)()) {
-  uint8_t old = SREG;
-  cli();
+  Uninterrupted now;
   add_job(sample_jobs, job);
   count_periods();
-  SREG = old;
 }
 
-//# helper servo_timer
-//#   include: <Servo.h>
-//#   library: Servo
-//#   timer: Timer1
-//#   taken: TIMER1_COMPA_vect
-//#   fidelity: the timer with which Servo.h makes its pulses: it counts half microseconds (at 16 MHz) from the begin of a frame
-#define SERVO_COUNT TCNT1
-#define SERVO_BEGIN OCR1A  // when Servo.h begins its next frame, while it makes no pulse
-#define SERVO_JOB OCR1B    // when the frame jobs are due
-#define SERVO_MASK TIMSK1
-#define SERVO_PENDING TIFR1
-#define SERVO_CLOCK TCCR1B
-#define SERVO_MODE TCCR1A
-
-//# helper servo_timer
-//#   mcu: atmega2560
-//#   include: <Servo.h>
-//#   library: Servo
-//#   timer: Timer5
-//#   taken: TIMER5_COMPA_vect
-#define SERVO_COUNT TCNT5
-#define SERVO_BEGIN OCR5A
-#define SERVO_JOB OCR5B
-#define SERVO_MASK TIMSK5
-#define SERVO_PENDING TIFR5
-#define SERVO_CLOCK TCCR5B
-#define SERVO_MODE TCCR5A
-
-//# helper frame_ticks
-//#   needs: servo_timer
-const uint16_t frame_ticks = clockCyclesPerMicrosecond() * 2500UL;  // 20 ms
-const uint16_t job_ticks = frame_ticks / 10 * 9;                    // jobs are 2 ms earlier than pulses
-
-inline bool servo_pulses() { return SERVO_MASK & _BV(OCIE1A); }  // whether Servo.h makes any
-
 //# helper frames
-//#   needs: background servo_timer frame_ticks frame_interrupt simpletools.h/TimedInput
+//#   needs: background hal/Uninterrupted hal/periods hal/frame_clock simpletools.h/TimedInput
 //#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and are made up for when it ends
 //#   ram: 11
 static void (*frame_jobs[3])();
@@ -85,15 +43,12 @@ static volatile uint8_t frame_age;    // periods of 1,024 us since the frame job
 
 inline void do_frame_jobs() {
   static volatile bool under_way = false;
-  uint8_t old = SREG;
-  cli();
-  bool due = frames_owed && frame_age > 7 && !under_way;
-  if (due) {
+  {
+    Uninterrupted now;
+    if (!frames_owed || frame_age <= 7 || under_way) return;
     under_way = true;
     frames_owed--;
   }
-  SREG = old;
-  if (!due) return;
   for (auto job : frame_jobs)
     if (job) job();
   frame_age = 0;
@@ -113,99 +68,31 @@ inline void frame_period() {
   else do_frame_jobs();
 }
 
-inline void frame_comes() {  // Servo.h begins each frame later than it should, by what its interrupt takes: here that is made good
-  static uint16_t due;
-  uint16_t late = (uint16_t)micros() - due;
-  if (!servo_pulses()) SERVO_JOB += frame_ticks;
-  else SERVO_JOB = job_ticks;
-  if (late > 500) due += late;
-  else if (servo_pulses() && SERVO_BEGIN == frame_ticks) SERVO_BEGIN = frame_ticks - min(late, 20) * (frame_ticks / 20000);
-  due += 20000;
+inline void frame_is_owed() {
   if (frames_owed < 3) frames_owed++;
-  sei();
+}
+
+inline void frame_comes() {
   if (!frames_wait) do_frame_jobs();
 }
 
 inline void do_each_frame(void (*job)()) {
-  uint8_t old = SREG;
-  cli();
+  Uninterrupted now;
   add_job(frame_jobs, job);
   frames_due = do_owed_frames;
   each_period = frame_period;
   count_periods();
-  if (!(SERVO_MASK & _BV(OCIE1B))) {
-    if (!servo_pulses()) {
-      SERVO_MODE = 0;
-      SERVO_CLOCK = _BV(CS11);
-    }
-    SERVO_JOB = servo_pulses() ? job_ticks : SERVO_COUNT + frame_ticks;
-    begin_frames();
-  }
-  SREG = old;
-}
-
-//# helper frame_interrupt
-//#   needs: servo_timer
-//#   vector: TIMER1_COMPB_vect
-inline void frame_comes();
-
-ISR(TIMER1_COMPB_vect) { frame_comes(); }
-
-inline void begin_frames() {
-  SERVO_PENDING = _BV(OCF1B);
-  SERVO_MASK |= _BV(OCIE1B);
-}
-
-//# helper frame_interrupt
-//#   mcu: atmega2560
-//#   needs: servo_timer
-//#   vector: TIMER5_COMPB_vect
-inline void frame_comes();
-
-ISR(TIMER5_COMPB_vect) { frame_comes(); }
-
-inline void begin_frames() {
-  SERVO_PENDING = _BV(OCF1B);
-  SERVO_MASK |= _BV(OCIE1B);
+  count_frames();
 }
 
 //# helper ServoSlot
-//#   needs: simpletools.h/Io servo_timer frame_ticks
+//#   needs: hal/Io hal/ServoPin
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
 //#   ram: 132
-const uint8_t servo_places = MAX_SERVOS < 14 ? MAX_SERVOS : 14;
-
-struct ServoSlot {
-  Servo *servo;                // made once: each one counts as a channel of Servo.h from then on
-  uint8_t pin;
+struct ServoSlot : ServoPin {
   bool used, own;              // own: of a drive, which servo_stop and the like leave alone
   int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
 
-  void start(int16_t us) {  // Servo.h lets its timer begin anew with the first servo: frames go on in their time
-    uint8_t old = SREG;
-    cli();
-    bool counted = servo_pulses();
-    uint16_t before = SERVO_COUNT, left = SERVO_JOB - before;  // until the frame jobs are due
-    if (counted && before >= SERVO_JOB) left += frame_ticks;
-    if (!(SERVO_MASK & _BV(OCIE1B))) left = job_ticks + 1000;
-    servo->attach(pin, 40, 2900);
-    servo->writeMicroseconds(us);
-    if (!counted || SERVO_COUNT < before) {
-      SERVO_JOB = left < job_ticks ? left : job_ticks;
-      SERVO_BEGIN = left < job_ticks ? left + (frame_ticks - job_ticks) : max(left - job_ticks, 100);
-    }
-    SREG = old;
-  }
-  void rest() {  // no more pulses; one under way is ended first
-    Io io(pin);
-    while (servo->attached()) {
-      uint8_t old = SREG;
-      cli();
-      if (!(*io.out & io.mask)) servo->detach();
-      if (!servo_pulses() && SERVO_COUNT >= SERVO_JOB) SERVO_JOB += frame_ticks;
-      SREG = old;
-    }
-  }
   void release() {
     if (servo->attached()) rest();
     Io(pin).drive(false);
@@ -251,7 +138,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //# adapter servo_set
 //#   for: int servo_set(int pin, int time)
 //#   kind: oneToMany
-//#   needs: ServoSlot simpletools.h/Io
+//#   needs: ServoSlot hal/Io hal/Uninterrupted hal/ServoPin
 //#   pin: pin digital out servo
 //#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 //#   limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
@@ -275,10 +162,10 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
     if (!slot) return -3;
     slot->sent = time;
   }
-  uint8_t old = SREG;
-  cli();
-  slot->asked = time;
-  SREG = old;
+  {
+    Uninterrupted now;
+    slot->asked = time;
+  }
   for (auto &each : servo_slots)  // those that servo_stop has ended go on, as they do when the library's cog starts again
     if (each.used && !each.own && !each.servo->attached()) each.start(each.sent);
   if (slot->step >= 2000) slot->servo->writeMicroseconds(slot->sent = time);
@@ -315,7 +202,7 @@ inline int32_t servo_speed(int32_t pin, int32_t speed) {
 //# adapter servo_get
 //#   for: int servo_get(int pin)
 //#   kind: oneToOne
-//#   needs: ServoSlot
+//#   needs: ServoSlot hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: the width last sent in microseconds, on the way of a ramp too; -4 for a pin without a servo
 //#   stack: 4 0
@@ -323,17 +210,14 @@ inline int32_t servo_speed(int32_t pin, int32_t speed) {
 inline int32_t servo_get(int32_t pin) {
   ServoSlot *slot = servo_slot(pin, false);
   if (!slot) return -4;
-  uint8_t old = SREG;
-  cli();
-  int16_t sent = slot->sent;
-  SREG = old;
-  return sent;
+  Uninterrupted now;
+  return slot->sent;
 }
 
 //# adapter servo_setramp
 //#   for: int servo_setramp(int pin, int stepSize)
 //#   kind: semantic
-//#   needs: ServoSlot frames
+//#   needs: ServoSlot frames hal/ServoPin
 //#   pin: pin digital out servo
 //#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
 //#   stack: 2 0

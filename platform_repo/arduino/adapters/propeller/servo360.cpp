@@ -72,15 +72,8 @@
 //#   fidelity: exact
 #define S360_UNITS_ENCODER 4096
 
-//# helper Uninterrupted
-struct Uninterrupted {  // interrupts are off as long as it lives
-  uint8_t before;
-  Uninterrupted() : before(SREG) { cli(); }
-  ~Uninterrupted() { SREG = before; }
-};
-
 //# helper Servo360
-//#   needs: S360_POSITION Uninterrupted servo.h/frames simpletools.h/PinWatch
+//#   needs: S360_POSITION hal/Uninterrupted hal/PinWatch servo.h/frames
 //#   ram: 8
 const int16_t turn360 = 4096;
 const uint8_t still360 = 100;  // units/s: a wheel that stands, since edges are known to 0.4 us
@@ -98,7 +91,7 @@ struct Servo360 : PinWatch {
   bool enabled, feedback, approaching;
   uint8_t mode;
   int32_t units;                                    // of the program, each turn
-  volatile uint16_t rise, fall, high[3], cycle[3];  // cycles of the clock, of the signal's last cycles
+  volatile uint16_t rise, fall, high[3], cycle[3];  // 1/16 us, of the signal's last cycles
   uint8_t place;                                    // of the next cycle
   volatile uint8_t cycles;                          // seen since the last frame, 255 at most
   int16_t theta;                                    // angle in the turn
@@ -231,7 +224,7 @@ struct Servo360 : PinWatch {
 static Servo360 *servos360[4];
 
 //# helper feedback360_edge
-//#   needs: Servo360 simpletools.h/PinWatch simpletools.h/edge_stamp
+//#   needs: Servo360 hal/PinWatch hal/edge_stamp
 //#   fidelity: an edge is known to 1 us unless another interrupt runs; the median of three cycles counts
 inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high for 32 us at the least
   uint16_t now = edge_stamp();
@@ -241,7 +234,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
     return;
   }
   uint16_t cycle = now - servo.rise;
-  if (cycle > 800u * clockCyclesPerMicrosecond() && cycle < 1500u * clockCyclesPerMicrosecond()) {
+  if (cycle > 800u * 16 && cycle < 1500u * 16) {
     uint8_t place = servo.place;
     servo.place = place == 2 ? 0 : place + 1;
     servo.high[place] = servo.fall - servo.rise;
@@ -252,7 +245,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
 }
 
 //# helper servo360_run
-//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/frames servo.h/servo_us
+//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/frames servo.h/servo_us hal/ServoPin
 //#   ram: 1
 inline void servo360_frame() {
   bool alive[4];
@@ -301,7 +294,7 @@ inline int8_t servo360_place(int32_t pin) {
 //# adapter servo360_connect
 //#   for: int servo360_connect(int pinControl, int pinFeedback)
 //#   kind: semantic
-//#   needs: servo.h/ServoSlot Uninterrupted Servo360 feedback360_edge servo360_run simpletools.h/watch_pin simpletools.h/Io simpletools.h/pulse_in servo.h/servo_us
+//#   needs: servo.h/ServoSlot hal/Uninterrupted Servo360 feedback360_edge servo360_run hal/watch_pin hal/Io simpletools.h/pulse_in servo.h/servo_us hal/ServoPin
 //#   role: servo
 //#   pin: pinControl digital out servo
 //#   pin: pinFeedback digital in encoder
@@ -365,7 +358,7 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
 //# adapter servo360_speed
 //#   for: int servo360_speed(int pin, int speed)
 //#   kind: semantic
-//#   needs: S360_SPEED S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
+//#   needs: S360_SPEED S360_POSITION S360_GOTO hal/Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: units a second, reached by the ramp in the background
 //#   stack: 27 4
@@ -389,7 +382,7 @@ inline int32_t servo360_speed(int32_t pin, int32_t speed) {
 //# adapter servo360_angle
 //#   for: int servo360_angle(int pin, int position)
 //#   kind: semantic
-//#   needs: S360_POSITION Uninterrupted Servo360 servo360_run
+//#   needs: S360_POSITION hal/Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: the angle is held in the background, by the same control as there
 //#   stack: 25 2
@@ -411,7 +404,7 @@ inline int32_t servo360_angle(int32_t pin, int32_t position) {
 //# adapter servo360_goto
 //#   for: int servo360_goto(int pin, int position)
 //#   kind: semantic
-//#   needs: S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
+//#   needs: S360_POSITION S360_GOTO hal/Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: so many units from where it is to be, with the ramp and the top speed, in the background
 //#   stack: 26 2
@@ -489,7 +482,7 @@ inline int32_t servo360_enable(int32_t pin, int32_t state) {
 //# adapter servo360_feedback
 //#   for: int servo360_feedback(int pin, int state)
 //#   kind: oneToOne
-//#   needs: servo360_run Servo360 Uninterrupted
+//#   needs: servo360_run Servo360 hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: off, servo360_set decides; on again, the angle there is the new zero, as there
 //#   stack: 24 2
@@ -887,7 +880,7 @@ inline int32_t servo360_setAngleCalc(int32_t pin, int32_t angle) {
 //# adapter servo360_setTurns
 //#   for: int servo360_setTurns(int pin, int turns)
 //#   kind: oneToOne
-//#   needs: S360_SPEED S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
+//#   needs: S360_SPEED S360_POSITION S360_GOTO hal/Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: so many turns more, as there; before the first order no target moves with them, as there
 //#   limit: a servo that is set before its first order turns without correction, as there, and one that it is coupled to slows it down by up to 5 %
@@ -914,7 +907,7 @@ inline int32_t servo360_setTurns(int32_t pin, int32_t turns) {
 //# adapter servo360_setControlSys
 //#   for: int servo360_setControlSys(int pin, int constant, int value)
 //#   kind: oneToOne
-//#   needs: S360_SETTING_KPV S360_SETTING_KIV S360_SETTING_KDV S360_SETTING_IV_MAX S360_SETTING_KPA S360_SETTING_KIA S360_SETTING_KDA S360_SETTING_IA_MAX Uninterrupted Servo360 servo360_run
+//#   needs: S360_SETTING_KPV S360_SETTING_KIV S360_SETTING_KDV S360_SETTING_IV_MAX S360_SETTING_KPA S360_SETTING_KIA S360_SETTING_KDA S360_SETTING_IA_MAX hal/Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
 //#   stack: 28 8
@@ -942,7 +935,7 @@ inline int32_t servo360_setControlSys(int32_t pin, int32_t constant, int32_t val
 //# adapter servo360_setTransferFunction
 //#   for: int servo360_setTransferFunction(int pin, int constant, int value)
 //#   kind: oneToOne
-//#   needs: S360_SETTING_VB_CCW S360_SETTING_VB_CW S360_SETTING_VM_CCW S360_SETTING_VM_CW Uninterrupted Servo360 servo360_run
+//#   needs: S360_SETTING_VB_CCW S360_SETTING_VB_CW S360_SETTING_VM_CCW S360_SETTING_VM_CW hal/Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
 //#   stack: 30 8
@@ -966,7 +959,7 @@ inline int32_t servo360_setTransferFunction(int32_t pin, int32_t constant, int32
 //# adapter servo360_couple
 //#   for: int servo360_couple(int pinA, int pinB)
 //#   kind: semantic
-//#   needs: Servo360 servo360_run Uninterrupted
+//#   needs: Servo360 servo360_run hal/Uninterrupted
 //#   pin: pinA digital out servo
 //#   pin: pinB digital out servo
 //#   fidelity: the one that lags less is slowed down, as there

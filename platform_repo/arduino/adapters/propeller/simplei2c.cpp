@@ -3,24 +3,14 @@
 // There any two pins are a bus; here the hardware drives the one at SCL and SDA. At any other pins there is no device.
 
 //# type i2c
+//#   needs: hal/TwoWireBus
 //#   fidelity: for use with the functions; its members are others than there
-struct i2c {
-  bool wired;
-};
-
-//# helper two_wire
-//#   fidelity: gives the hardware a command and waits for it, 10 ms at most; then what it answers as its status
-inline uint8_t two_wire(uint8_t command) {
-  TWCR = _BV(TWINT) | _BV(TWEN) | command;
-  delayMicroseconds(command & _BV(TWSTA) ? 10 : 90);  // that long it takes at least; some simulators leave TWINT set meanwhile
-  for (uint16_t turn = 20000; turn && !(TWCR & _BV(TWINT)); turn--) {}
-  return TWCR & _BV(TWINT) ? TWSR & 0xF8 : 0;
-}
+struct i2c : TwoWireBus {};
 
 //# adapter i2c_open
 //#   for: i2c *i2c_open(i2c *bus, int sclPin, int sdaPin, int sclDrive)
 //#   kind: semantic
-//#   needs: i2c
+//#   needs: i2c hal/TwoWireBus
 //#   pin: sclPin digital both
 //#   pin: sdaPin digital both
 //#   fidelity: 100 kHz; weak pull-ups are switched on
@@ -28,61 +18,48 @@ inline uint8_t two_wire(uint8_t command) {
 //#   stack: 0
 inline i2c *i2c_open(i2c *bus, int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
   (void)sclDrive;
-  bus->wired = sclPin == SCL && sdaPin == SDA;
-  if (!bus->wired) return bus;
-  digitalWrite(SCL, HIGH);
-  digitalWrite(SDA, HIGH);
-  TWSR = 0;
-  TWBR = (F_CPU / 100000UL - 16) / 2;
-  TWCR = _BV(TWEN);
+  bus->open(sclPin, sdaPin, 100000L);
   return bus;
 }
 
 //# adapter i2c_start
 //#   for: void i2c_start(i2c *bus)
 //#   kind: semantic
-//#   needs: i2c two_wire
+//#   needs: i2c hal/TwoWireBus
 //#   fidelity: exact
 //#   stack: 2 0
 inline void i2c_start(i2c *bus) {
-  if (bus->wired) two_wire(_BV(TWSTA));
+  bus->start();
 }
 
 //# adapter i2c_stop
 //#   for: void i2c_stop(i2c *bus)
 //#   kind: semantic
-//#   needs: i2c
+//#   needs: i2c hal/TwoWireBus
 //#   fidelity: exact
 //#   stack: 2 0
 inline void i2c_stop(i2c *bus) {
-  if (!bus->wired) return;
-  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
-  for (uint16_t turn = 20000; turn && TWCR & _BV(TWSTO); turn--) {}
+  bus->stop();
 }
 
 //# adapter i2c_writeByte
 //#   for: int i2c_writeByte(i2c *bus, int byte)
 //#   kind: semantic
-//#   needs: i2c two_wire
+//#   needs: i2c hal/TwoWireBus
 //#   fidelity: exact: 0 when the byte is acknowledged, else 1
 //#   stack: 2 0
 inline int32_t i2c_writeByte(i2c *bus, int32_t byte) {
-  if (!bus->wired) return 1;
-  TWDR = (uint8_t)byte;
-  uint8_t status = two_wire(0);
-  return status != 0x18 && status != 0x28 && status != 0x40;  // an address to write to, a byte, an address to read from
+  return !bus->write((uint8_t)byte);
 }
 
 //# adapter i2c_readByte
 //#   for: int i2c_readByte(i2c *bus, int ackState)
 //#   kind: semantic
-//#   needs: i2c two_wire
+//#   needs: i2c hal/TwoWireBus
 //#   fidelity: exact: it acknowledges the byte when ackState is 0
 //#   stack: 2 0
 inline int32_t i2c_readByte(i2c *bus, int32_t ackState) {
-  if (!bus->wired) return 0;
-  two_wire(ackState ? 0 : _BV(TWEA));
-  return TWDR;
+  return bus->read(!ackState);
 }
 
 //# adapter i2c_writeData
@@ -102,7 +79,7 @@ inline int32_t i2c_writeData(i2c *bus, const void *data, int32_t count) {
 //#   kind: oneToMany
 //#   needs: i2c i2c_readByte
 //#   fidelity: exact: it acknowledges all bytes but the last, and returns their number without it
-//#   stack: 14 0
+//#   stack: 13 0
 inline int32_t i2c_readData(i2c *bus, void *data, int32_t count) {
   int32_t number = 0;
   do ((uint8_t *)data)[number] = (uint8_t)i2c_readByte(bus, number + 1 >= count);
@@ -115,7 +92,7 @@ inline int32_t i2c_readData(i2c *bus, void *data, int32_t count) {
 //#   kind: oneToMany
 //#   needs: i2c i2c_start i2c_writeByte
 //#   fidelity: exact: 0 when the device acknowledges; the address has 8 bits here
-//#   stack: 7 2
+//#   stack: 4 2
 inline int32_t i2c_poll(i2c *bus, int32_t addr) {
   i2c_start(bus);
   return i2c_writeByte(bus, addr);

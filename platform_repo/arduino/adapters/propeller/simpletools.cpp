@@ -4,68 +4,8 @@
 
 // ---------------------------------------------------------------- pins
 
-//# helper Io
-//#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
-//#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
-//#   ram: 3
-static uint8_t latches[(NUM_DIGITAL_PINS + 7) / 8];
-static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
-
-struct Io {  // one pin, ready for access to its registers
-  uint8_t pin, mask;
-  volatile uint8_t *in, *direction, *out;
-
-  explicit Io(int32_t number) : pin(number), mask(0), in(0), direction(0), out(0) {
-    if (number < 0 || number >= NUM_DIGITAL_PINS) return;
-    uint8_t port = digitalPinToPort(pin);
-    mask = digitalPinToBitMask(pin);
-    in = portInputRegister(port);
-    direction = portModeRegister(port);
-    out = portOutputRegister(port);
-  }
-  bool wired() const { return mask != 0; }
-  bool high() const { return wired() && (*in & mask); }
-  bool driven() const { return wired() && (*direction & mask); }
-  bool latch() const { return wired() && (latches[pin >> 3] >> (pin & 7) & 1); }
-  void put(volatile uint8_t *to, bool value) const {
-    uint8_t old = SREG;
-    cli();
-    if (value) *to |= mask;
-    else *to &= ~mask;
-    SREG = old;
-  }
-  void set(bool value) const {
-    if (!wired()) return;
-    uint8_t bit = 1 << (pin & 7);
-    if (value) latches[pin >> 3] |= bit;
-    else latches[pin >> 3] &= ~bit;
-    if (driven()) put(out, value);
-  }
-  void own(bool output) const {  // the cog that runs drives the pin, or no longer does
-    if (!cog_pins_now) return;
-    uint8_t bit = 1 << (pin & 7);
-    if (output) cog_pins_now[pin >> 3] |= bit;
-    else cog_pins_now[pin >> 3] &= ~bit;
-  }
-  void drive(bool output) const {
-    if (!wired()) return;
-    own(output);
-    if (output) {
-      put(out, latch());
-      put(direction, true);
-    } else {
-      put(direction, false);
-      put(out, false);
-    }
-  }
-  void drive_for_library() const {  // whose own cog goes on when the caller ends
-    drive(true);
-    if (wired()) own(false);
-  }
-};
-
 //# helper drive_level
-//#   needs: Io
+//#   needs: hal/Io
 inline void drive_level(int32_t pin, bool value) {
   Io io(pin);
   if (!io.wired()) return;
@@ -99,7 +39,7 @@ inline void low(int32_t pin) {
 //# adapter get_state
 //#   for: unsigned int get_state(int pin)
 //#   kind: oneToOne
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital in
 //#   fidelity: exact
 //#   stack: 12 0
@@ -110,7 +50,7 @@ inline uint32_t get_state(int32_t pin) {
 //# adapter input
 //#   for: unsigned int input(int pin)
 //#   kind: oneToMany
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital in
 //#   fidelity: exact; the output latch is kept
 //#   stack: 4 0
@@ -123,7 +63,7 @@ inline uint32_t input(int32_t pin) {
 //# adapter get_output
 //#   for: unsigned int get_output(int pin)
 //#   kind: semantic
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital both
 //#   fidelity: the latch of the whole program; on the Propeller each cog has one of its own
 //#   stack: 12 0
@@ -134,7 +74,7 @@ inline uint32_t get_output(int32_t pin) {
 //# adapter get_direction
 //#   for: unsigned int get_direction(int pin)
 //#   kind: oneToOne
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital both
 //#   fidelity: exact for a program on one cog
 //#   stack: 12 0
@@ -145,7 +85,7 @@ inline uint32_t get_direction(int32_t pin) {
 //# adapter set_output
 //#   for: void set_output(int pin, int state)
 //#   kind: semantic
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital out
 //#   fidelity: exact
 //#   stack: 12 0
@@ -156,7 +96,7 @@ inline void set_output(int32_t pin, int32_t state) {
 //# adapter set_direction
 //#   for: void set_direction(int pin, int direction)
 //#   kind: semantic
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital both
 //#   fidelity: exact
 //#   stack: 12 0
@@ -167,7 +107,7 @@ inline void set_direction(int32_t pin, int32_t direction) {
 //# adapter toggle
 //#   for: unsigned int toggle(int pin)
 //#   kind: oneToMany
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
 //#   stack: 18 12
@@ -181,7 +121,7 @@ inline uint32_t toggle(int32_t pin) {
 //# adapter reverse
 //#   for: unsigned int reverse(int pin)
 //#   kind: oneToMany
-//#   needs: Io
+//#   needs: hal/Io
 //#   pin: pin digital both
 //#   fidelity: exact
 //#   stack: 4 0
@@ -206,7 +146,7 @@ struct PortRange {
 //#   for: unsigned int get_states(int endPin, int startPin)
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
-//#   needs: Io PortRange propeller.h/port
+//#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: levels; the pins are read one after the other, within some 5 us each
 //#   stack: 16 0
 inline uint32_t get_states(int32_t endPin, int32_t startPin) {
@@ -220,7 +160,7 @@ inline uint32_t get_states(int32_t endPin, int32_t startPin) {
 //#   for: unsigned int get_outputs(int endPin, int startPin)
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
-//#   needs: Io PortRange propeller.h/port
+//#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: output latches; the pins are read one after the other, within some 5 us each
 //#   stack: 6 0
 inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
@@ -234,7 +174,7 @@ inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
 //#   for: unsigned int get_directions(int endPin, int startPin)
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
-//#   needs: Io PortRange propeller.h/port
+//#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: directions; the pins are read one after the other, within some 5 us each
 //#   stack: 16 0
 inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
@@ -248,7 +188,7 @@ inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
 //#   for: void set_outputs(int endPin, int startPin, unsigned int pattern)
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
-//#   needs: Io PortRange propeller.h/port
+//#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: output latches; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
 //#   stack: 20 0
 inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
@@ -261,7 +201,7 @@ inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
 //#   for: void set_directions(int endPin, int startPin, unsigned int pattern)
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
-//#   needs: Io PortRange propeller.h/port
+//#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: directions; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
 //#   stack: 16 0
 inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
@@ -313,7 +253,6 @@ inline void pause(int32_t time) {
 
 //# adapter pause
 //#   for: void pause(int time)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   beside: cog_run cog_runStackTest cogstart cogstart_stackTest pthread_create
 //#   kind: oneToOne
 //#   needs: pause_unit propeller.h/wait_until propeller.h/CNT propeller.h/held_up
@@ -409,104 +348,6 @@ inline void wait(int32_t time) {
 
 // ---------------------------------------------------------------- timed input and output
 
-//# helper edge_cycles
-//#   fidelity: micros() moves in steps of 4 us; counting up to the next step of Timer0 makes an edge known to 6 cycles
-inline uint32_t edge_cycles() {  // the time in cycles, as of the call
-  uint8_t old = SREG, turns = 0;
-  cli();
-  uint8_t tick = TCNT0;
-  asm volatile(
-      "1: in __tmp_reg__, %1\n\tcp __tmp_reg__, %2\n\tbrne 2f\n\tinc %0\n\trjmp 1b\n2:"
-      : "+r"(turns)
-      : "I"(_SFR_IO_ADDR(TCNT0)), "r"(tick));
-  uint32_t cycles = micros() * clockCyclesPerMicrosecond();
-  SREG = old;
-  return cycles - turns * 6u;
-}
-
-//# helper edge_stamp
-extern volatile unsigned long timer0_overflow_count;  // of the core
-
-inline uint16_t edge_stamp() {  // as edge_cycles, of 16 bits and faster; interrupts are off
-  uint8_t turns = 0, tick = TCNT0;
-  asm volatile(
-      "1: in __tmp_reg__, %1\n\tcp __tmp_reg__, %2\n\tbrne 2f\n\tinc %0\n\trjmp 1b\n2:"
-      : "+r"(turns)
-      : "I"(_SFR_IO_ADDR(TCNT0)), "r"(tick));
-  uint8_t periods = (uint8_t)timer0_overflow_count;
-  tick = TCNT0;
-  if ((TIFR0 & _BV(TOV0)) && tick < 255) periods++;
-  return (uint16_t)((periods << 8 | tick) << 6) - turns * 6u;
-}
-
-//# helper PinWatch
-//#   fidelity: one handler of pin-change interrupts for all that waits for them
-//#   ram: 2
-struct PinWatch {
-  volatile uint8_t *in;  // the pin's register and bit
-  uint8_t mask, level;
-  void (*changed)(PinWatch &watch);
-  PinWatch *next;
-};
-static PinWatch *pin_watches;
-
-inline void pins_changed() {
-  for (PinWatch *watch = pin_watches; watch; watch = watch->next) {
-    uint8_t level = *watch->in & watch->mask;
-    if (level == watch->level) continue;
-    watch->level = level;
-    watch->changed(*watch);
-  }
-}
-
-inline void end_watch(PinWatch &watch) {
-  uint8_t old = SREG;
-  cli();
-  for (PinWatch **link = &pin_watches; *link; link = &(*link)->next) {
-    if (*link != &watch) continue;
-    *link = watch.next;
-    break;
-  }
-  SREG = old;
-}
-
-inline bool begin_watch(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {
-  if (!digitalPinToPCICR(pin)) return false;
-  uint8_t old = SREG;
-  cli();
-  watch.in = portInputRegister(digitalPinToPort(pin));
-  watch.mask = digitalPinToBitMask(pin);
-  watch.level = *watch.in & watch.mask;
-  watch.changed = changed;
-  watch.next = pin_watches;
-  pin_watches = &watch;
-  *digitalPinToPCMSK(pin) |= _BV(digitalPinToPCMSKbit(pin));
-  *digitalPinToPCICR(pin) |= _BV(digitalPinToPCICRbit(pin));
-  SREG = old;
-  return true;
-}
-
-//# helper watch_pin
-//#   needs: PinWatch
-//#   vector: PCINT0_vect PCINT1_vect PCINT2_vect
-inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
-  return begin_watch(watch, pin, changed);
-}
-
-ISR(PCINT0_vect) { pins_changed(); }
-ISR(PCINT1_vect) { pins_changed(); }
-ISR(PCINT2_vect) { pins_changed(); }
-
-//# helper watch_pin
-//#   needs: PinWatch
-//#   vector: PCINT0_vect
-//#   mcu: atmega32u4
-inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
-  return begin_watch(watch, pin, changed);
-}
-
-ISR(PCINT0_vect) { pins_changed(); }
-
 //# helper TimedInput
 //#   fidelity: what drives and servos calculate every 20 ms waits while an input is timed: up to 20 ms for the edge that begins it, and
 //#   fidelity: up to 20 ms for the one that ends it
@@ -523,34 +364,10 @@ struct TimedInput {
   void edge_found() { frames_wait = 20; }
 };
 
-//# helper leaves
-//#   needs: Io edge_cycles
-//#   fidelity: an edge is known to 1 us; one that came while an interrupt ran, to half of the time that it took
-inline bool leaves(const Io &io, uint8_t level, uint32_t begun, uint32_t limit, uint32_t &at) {  // waits while the pin has the level
-  uint16_t burst = limit > 20000 ? 2000 : 60;  // the clock is looked at rarely: that costs 4 us
-  uint8_t tick = TCNT0, now, turns = 0;         // the last look with that level: so many turns of 14 cycles behind that step of Timer0
-  do {
-    for (uint16_t turn = burst; turn; turn--) {
-      now = TCNT0;
-      if ((*io.in & io.mask) != level) {
-        at = edge_cycles();
-        at -= (uint16_t)((uint16_t)at - tick * 64u - turns * 14u) % 16384 / 2;
-        return true;
-      }
-      turns++;
-      if (now == tick) continue;
-      tick = now;
-      turns = 0;
-    }
-  } while (micros() - begun < limit);
-  at = edge_cycles();
-  return false;
-}
-
 //# helper in_units
 //#   needs: io_ticks
-inline int32_t in_units(uint32_t cycles) {
-  uint32_t micros_ = (cycles + clockCyclesPerMicrosecond() / 2) / clockCyclesPerMicrosecond();
+inline int32_t in_units(uint32_t sixteenths) {  // of a microsecond
+  uint32_t micros_ = (sixteenths + 8) / 16;
   return io_ticks == 80 ? micros_ : micros_ * 80 / io_ticks;
 }
 
@@ -575,7 +392,7 @@ inline int32_t answering(int32_t pin) {
 //# adapter pulse_in
 //#   for: int pulse_in(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io TimedInput leaves in_units io_timeout_ticks
+//#   needs: hal/Io hal/leaves TimedInput in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
@@ -586,18 +403,18 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
   if (!io.wired()) return 0;
   io.drive(false);
   TimedInput timed;
-  uint8_t level = state ? io.mask : 0, other = io.mask ^ level;
+  bool high = state;
   uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = micros(), from, to;
-  if (!leaves(io, level, begun, limit, from) || !leaves(io, other, begun, limit, from)) return 0;
+  if (!leaves(io, high, begun, limit, from) || !leaves(io, !high, begun, limit, from)) return 0;
   timed.edge_found();
-  leaves(io, level, begun, limit, to);
+  leaves(io, high, begun, limit, to);
   return in_units(to - from);
 }
 
 //# adapter rc_time
 //#   for: long rc_time(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io TimedInput leaves edge_cycles in_units io_timeout_ticks
+//#   needs: hal/Io hal/Uninterrupted hal/edge_clock hal/leaves TimedInput in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
@@ -608,19 +425,21 @@ inline int32_t rc_time(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
   TimedInput timed;
-  uint8_t old = SREG;
-  cli();
-  io.drive(false);
-  uint32_t from = edge_cycles(), begun = micros(), to;
-  SREG = old;
-  leaves(io, state ? io.mask : 0, begun, (uint32_t)io_timeout_ticks / 80, to);
+  uint32_t from, begun, to;
+  {
+    Uninterrupted now;
+    io.drive(false);
+    from = edge_clock();
+    begun = micros();
+  }
+  leaves(io, state, begun, (uint32_t)io_timeout_ticks / 80, to);
   return in_units(to - from);
 }
 
 //# adapter pulse_out
 //#   for: void pulse_out(int pin, int time)
 //#   kind: oneToMany
-//#   needs: Io io_ticks TimedInput
+//#   needs: hal/Io hal/pulse io_ticks TimedInput
 //#   pin: pin digital out
 //#   fidelity: within 0.5 us or 1 %; the pulse is the inverse of the output latch
 //#   stack: 20 2
@@ -631,30 +450,8 @@ inline void pulse_out(int32_t pin, int32_t time) {
   io.drive(true);
   if (frames_due) frames_due();
   frames_wait = 20;
-  uint8_t old = SREG;
-  cli();
-  if (width < 40) {
-    *io.in = io.mask;  // a one written to PINx inverts PORTx
-    delayMicroseconds(width);
-    *io.in = io.mask;
-    frames_wait = 3;  // what answers to the pulse may be timed next
-    SREG = old;
-    return;
-  }
-  uint8_t tick = TCNT0;
-  while (TCNT0 == tick) {}
-  *io.in = io.mask;
-  uint32_t begun = micros();
-  SREG = old;
-  while (micros() - begun < width - 28) {}
-  cli();
-  tick = TCNT0;
-  while (TCNT0 == tick) {}
-  int16_t rest = (int16_t)(width - (micros() - begun)) - 3;
-  if (rest > 1) delayMicroseconds(rest);
-  *io.in = io.mask;
-  frames_wait = 3;
-  SREG = old;
+  pulse(io, width);
+  frames_wait = 3;  // what answers to the pulse may be timed next
 }
 
 //# helper wave_pins
@@ -665,7 +462,7 @@ static int32_t wave_pins[2] = {-1, -1};
 //# adapter count
 //#   for: long count(int pin, long duration)
 //#   kind: semantic
-//#   needs: Io TimedInput wave_pins
+//#   needs: hal/Io hal/PinInput TimedInput wave_pins
 //#   pin: pin digital in
 //#   fidelity: rising edges in so many milliseconds, of a wave of square_wave, too
 //#   limit: it polls: up to about 200 kHz, beside servos 20 kHz, as edges within an interrupt are not counted; other cogs wait meanwhile
@@ -679,12 +476,13 @@ inline int32_t count(int32_t pin, int32_t duration) {
   if (pin != wave_pins[0] && pin != wave_pins[1]) io.drive(false);
   TimedInput timed;
   int32_t edges = 0;
-  uint8_t last = *io.in & io.mask;
+  PinInput input = input_of(io);
+  bool last = input.high();
   for (uint16_t second; duration > 0; duration -= second) {
     second = duration < 1000 ? duration : 1000;
     for (uint32_t begun = micros(); micros() - begun < second * 1000UL;) {
       for (uint8_t turn = 8; turn; turn--) {
-        uint8_t now = *io.in & io.mask;
+        bool now = input.high();
         edges += now && !last;
         last = now;
       }
@@ -692,33 +490,11 @@ inline int32_t count(int32_t pin, int32_t duration) {
       uint32_t stopped = micros();  // what has waited takes its time now, which does not count
       if (frames_due) frames_due();
       timed.edge_found();
-      last = *io.in & io.mask;
+      last = input.high();
       begun += micros() - stopped;
     }
   }
   return edges;
-}
-
-//# helper quiet_of_servos
-//#   fidelity: waits until no pulse of Servo.h begins or ends for so many microseconds, at most a frame of 20 ms
-inline void quiet_of_servos(uint32_t us) {
-#ifdef TCNT5
-  volatile uint16_t &count = TCNT5, &next = OCR5A;
-  volatile uint8_t &mask = TIMSK5, &pending = TIFR5;
-#else
-  volatile uint16_t &count = TCNT1, &next = OCR1A;
-  volatile uint8_t &mask = TIMSK1, &pending = TIFR1;
-#endif
-  if (us > 15000) return;  // no frame has room for that
-  uint16_t least = (us + 24) * clockCyclesPerMicrosecond() / 8, most = clockCyclesPerMicrosecond() * 2500UL;
-  for (uint32_t begun = micros(); mask & _BV(OCIE1A) && micros() - begun < 20000;) {
-    uint8_t old = SREG;
-    cli();
-    uint16_t left = next - count;
-    bool due = pending & _BV(OCF1A);
-    SREG = old;
-    if (!due && left > least && left <= most) return;
-  }
 }
 
 //# helper in_range_of_tone
@@ -730,8 +506,7 @@ inline bool in_range_of_tone(int32_t frequency) {
 //# adapter freqout
 //#   for: void freqout(int pin, int msTime, int frequency)
 //#   kind: oneToMany
-//#   needs: Io low in_range_of_tone
-//#   timer: Timer2
+//#   needs: hal/Io hal/tones low in_range_of_tone
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
 //#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
@@ -746,137 +521,29 @@ inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
     return;
   }
   low(pin);
-  tone(io.pin, (unsigned int)frequency);
+  begin_tone(io, frequency);
   delay((uint32_t)msTime);
-  noTone(io.pin);
+  end_tone(io);
   io.drive(false);
 }
 
 // ---------------------------------------------------------------- waves that go on
 
-//# helper wave_timer
-//#   timer: Timer2
-//#   fidelity: the timer of tone(), which makes slow waves by itself: it counts 1,024 cycles of the clock
-#define WAVE_NEXT OCR2B
-#define WAVE_COUNT TCNT2
-#define WAVE_MASK TIMSK2
-#define WAVE_PENDING TIFR2
-#define WAVE_MODE TCCR2A
-#define WAVE_CLOCK TCCR2B
-const uint8_t slow_clock = _BV(CS22) | _BV(CS21) | _BV(CS20), usual_clock = _BV(CS22), usual_mode = _BV(WGM20);
-const uint8_t wave_bit = _BV(OCIE2B);
-
-//# helper wave_timer
-//#   mcu: atmega32u4
-//#   timer: Timer3
-#define WAVE_NEXT OCR3B
-#define WAVE_COUNT TCNT3
-#define WAVE_MASK TIMSK3
-#define WAVE_PENDING TIFR3
-#define WAVE_MODE TCCR3A
-#define WAVE_CLOCK TCCR3B
-const uint8_t slow_clock = _BV(CS32) | _BV(CS30), usual_clock = _BV(CS31) | _BV(CS30), usual_mode = _BV(WGM30);
-const uint8_t wave_bit = _BV(OCIE3B);
-
-//# helper wave_interrupt
-//#   needs: wave_timer
-//#   vector: TIMER2_COMPB_vect
-inline void slow_wave_due();
-
-ISR(TIMER2_COMPB_vect) { slow_wave_due(); }
-
-inline void interrupt_for_waves() {
-  WAVE_PENDING = wave_bit;
-  WAVE_MASK = wave_bit;
-}
-
-//# helper wave_interrupt
-//#   mcu: atmega32u4
-//#   needs: wave_timer
-//#   vector: TIMER3_COMPB_vect
-inline void slow_wave_due();
-
-ISR(TIMER3_COMPB_vect) { slow_wave_due(); }
-
-inline void interrupt_for_waves() {
-  WAVE_PENDING = wave_bit;
-  WAVE_MASK = wave_bit;
-}
-
-//# helper slow_wave
-//#   needs: Io wave_timer wave_interrupt
-//#   fidelity: up to 30 Hz, each edge within 64 us of its time
-//#   ram: 10
-struct SlowWave {
-  volatile uint8_t *out;
-  uint8_t mask;
-  uint8_t twice, rest, sum;  // what a half period has beyond its counts: rest / twice of one
-  uint16_t half, left;       // counts of a half period, and from the next compare to the next edge
-};
-static SlowWave slow_wave;
-
-inline void slow_wave_due() {
-  SlowWave &wave = slow_wave;
-  if (WAVE_CLOCK != slow_clock) return;  // a tone has taken the timer
-  if (!wave.left) {
-    *wave.out ^= wave.mask;
-    wave.left = wave.half;
-    wave.sum += wave.rest;
-    if (wave.sum >= wave.twice) {
-      wave.sum -= wave.twice;
-      wave.left++;
-    }
-  }
-  uint8_t step = wave.left > 200 ? 100 : wave.left;
-  wave.left -= step;
-  WAVE_NEXT += step;
-}
-
-inline bool slow_wave_runs() { return WAVE_MASK & wave_bit; }
-
-inline void begin_slow_wave(const Io &io, uint8_t frequency) {  // low first, as there; a wave that runs goes on
-  const uint16_t counts = F_CPU / 1024;                         // of a second
-  uint8_t old = SREG;
-  cli();
-  slow_wave.twice = 2 * frequency;
-  slow_wave.half = counts / slow_wave.twice;
-  slow_wave.rest = counts % slow_wave.twice;
-  slow_wave.sum = 0;
-  if (!slow_wave_runs()) {
-    slow_wave.out = io.out;
-    slow_wave.mask = io.mask;
-    slow_wave.left = slow_wave.half - 100;
-    WAVE_MODE = 0;
-    WAVE_CLOCK = slow_clock;
-    WAVE_COUNT = 0;
-    WAVE_NEXT = 100;
-    interrupt_for_waves();
-  }
-  SREG = old;
-}
-
-inline void end_slow_wave() {
-  WAVE_MASK = 0;
-  WAVE_MODE = usual_mode;  // as the core begins
-  WAVE_CLOCK = usual_clock;
-}
-
 //# helper end_wave
-//#   needs: Io wave_pins slow_wave
+//#   needs: hal/Io hal/slow_wave hal/tones wave_pins
 inline void end_wave(uint8_t channel) {
   Io io(wave_pins[channel]);
   wave_pins[channel] = -1;
   if (!io.wired()) return;
   if (slow_wave_runs()) end_slow_wave();
-  else noTone(io.pin);
+  else end_tone(io);
   io.drive(false);
 }
 
 //# adapter square_wave
 //#   for: void square_wave(int pin, int channel, int freq)
 //#   kind: semantic
-//#   needs: Io wave_pins end_wave in_range_of_tone slow_wave low
-//#   timer: Timer2
+//#   needs: hal/Io hal/slow_wave hal/tones wave_pins end_wave in_range_of_tone low
 //#   pin: pin digital out signed
 //#   fidelity: 1 % in frequency up to 65 kHz; a negative pin ends the channel's wave
 //#   limit: one wave at a time: while one channel plays, the other stays silent
@@ -895,7 +562,7 @@ inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
   bool begins = wave_pins[at] != pin;
   wave_pins[at] = pin;
   if (!slow) {
-    tone(io.pin, (unsigned int)freq);
+    begin_tone(io, freq);
     return;
   }
   if (begins) low(pin);
@@ -906,7 +573,6 @@ inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
 //#   for: void square_wave_stop(void)
 //#   kind: semantic
 //#   needs: end_wave
-//#   timer: Timer2
 //#   fidelity: exact; the pins become inputs
 //#   stack: 14
 //#   interrupt: TIMER2_COMPA_vect 19
@@ -916,70 +582,10 @@ inline void square_wave_stop() {
   end_wave(1);
 }
 
-//# helper pwm_channels
-//#   timer: Timer1
-//#   fidelity: the pulses of each channel; `end` and that of the next cycle on are in counts of Timer1 from the begin of the cycle
-//#   ram: 26
-struct PwmChannel {
-  uint8_t pin, mask;
-  volatile uint8_t *out;
-  uint16_t end, next_end;
-  uint32_t microseconds;
-  bool high;
-};
-static volatile PwmChannel pwm_channels[2];
-
-//# helper pwm_cycle
-//#   timer: Timer1
-//#   fidelity: microseconds of the cycle, 0 while there is none
-//#   ram: 4
-static volatile uint32_t pwm_cycle = 0;
-
-//# helper pwm_end_pulses
-//#   needs: pwm_channels
-//#   timer: Timer1
-//#   fidelity: ends the pulses that are over within 4 us, and has the timer call at the end of the next one
-inline void pwm_end_pulses() {
-  uint16_t next = 0xFFFF;
-  for (volatile PwmChannel &channel : pwm_channels) {
-    if (!channel.high) continue;
-    if (channel.end <= TCNT1 + 8) {
-      *channel.out &= ~channel.mask;
-      channel.high = false;
-    } else if (channel.end < next) {
-      next = channel.end;
-    }
-  }
-  OCR1B = next;
-}
-
-//# helper pwm_counts
-//#   needs: pwm_channels pwm_cycle pwm_end_pulses
-//#   timer: Timer1
-//#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
-//#   fidelity: half microseconds in cycles up to 32.7 ms, 4 us beyond
-ISR(TIMER1_COMPA_vect) {  // a cycle begins
-  for (volatile PwmChannel &channel : pwm_channels) {
-    channel.end = channel.next_end;
-    if (!channel.end) continue;
-    *channel.out |= channel.mask;
-    channel.high = true;
-  }
-  pwm_end_pulses();
-}
-ISR(TIMER1_COMPB_vect) {
-  pwm_end_pulses();
-}
-inline uint16_t pwm_counts(uint32_t microseconds) {
-  if (microseconds >= pwm_cycle) return microseconds ? 0xFFFF : 0;  // it never ends
-  return pwm_cycle > 32767 ? microseconds / 4 : microseconds * 2;
-}
-
 //# adapter pwm_set
 //#   for: void pwm_set(int pin, int channel, int tHigh)
 //#   kind: semantic
-//#   needs: Io pwm_channels pwm_cycle pwm_counts
-//#   timer: Timer1
+//#   needs: hal/Io hal/pwm_pair
 //#   pin: pin digital out
 //#   fidelity: within 4 us, from the next cycle on
 //#   limit: pulses shorter than 8 us come out up to 8 us long
@@ -988,28 +594,13 @@ inline uint16_t pwm_counts(uint32_t microseconds) {
 //#   interrupt: TIMER1_COMPA_vect 19
 //#   interrupt: TIMER1_COMPB_vect 19
 inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
-  volatile PwmChannel &it = pwm_channels[channel != 0];
-  Io before(it.pin), io(pin);
-  uint32_t microseconds = tHigh < 0 ? 0 : tHigh;
-  uint8_t old = SREG;
-  cli();
-  bool same = it.out == io.out && it.mask == io.mask, moved = it.out && !same;
-  it.pin = io.pin;
-  it.mask = io.mask;
-  it.out = io.out;
-  it.high = it.high && !moved;
-  it.microseconds = io.wired() ? microseconds : 0;
-  it.next_end = io.wired() ? pwm_counts(microseconds) : 0;
-  SREG = old;
-  if (moved) before.drive(false);
-  if (pwm_cycle && !same) io.drive_for_library();  // which would cut a pulse
+  set_pwm_pair(channel != 0, Io(pin), tHigh < 0 ? 0 : tHigh);
 }
 
 //# adapter pwm_start
 //#   for: int pwm_start(unsigned int cycleMicroseconds)
 //#   kind: semantic
-//#   needs: Io pwm_channels pwm_cycle pwm_counts
-//#   timer: Timer1
+//#   needs: hal/pwm_pair
 //#   fidelity: within 0.1 %; the number returned is not that of a cog
 //#   limit: cycles of more than 262 ms are made 262 ms long
 //#   limit: not together with servos, which need Timer1, too
@@ -1018,41 +609,18 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
 //#   interrupt: TIMER1_COMPA_vect 19
 //#   interrupt: TIMER1_COMPB_vect 19
 inline int32_t pwm_start(uint32_t cycleMicroseconds) {
-  uint32_t cycle = cycleMicroseconds > 262144UL ? 262144UL : cycleMicroseconds < 20 ? 20 : cycleMicroseconds;
-  bool slow = cycle > 32767;
-  uint8_t old = SREG;
-  cli();
-  pwm_cycle = cycle;
-  for (volatile PwmChannel &channel : pwm_channels) {
-    if (!channel.out) continue;
-    channel.end = channel.next_end = pwm_counts(channel.microseconds);
-    Io(channel.pin).drive_for_library();
-  }
-  TCCR1A = 0;
-  TCCR1B = _BV(WGM12) | (slow ? _BV(CS11) | _BV(CS10) : _BV(CS11));  // up to OCR1A, again and again
-  OCR1A = (uint16_t)((slow ? cycle / 4 : cycle * 2) - 1);
-  OCR1B = 0xFFFF;
-  TCNT1 = 0;
-  TIFR1 = _BV(OCF1A) | _BV(OCF1B);
-  TIMSK1 = _BV(OCIE1A) | _BV(OCIE1B);
-  SREG = old;
+  begin_pwm_pair(cycleMicroseconds > 262144UL ? 262144UL : cycleMicroseconds < 20 ? 20 : cycleMicroseconds);
   return 2;
 }
 
 //# adapter pwm_stop
 //#   for: void pwm_stop(void)
 //#   kind: semantic
-//#   needs: Io pwm_channels pwm_cycle
-//#   timer: Timer1
+//#   needs: hal/pwm_pair
 //#   fidelity: exact: no more pulses, and the pins become inputs
 //#   stack: 4 0
 inline void pwm_stop() {
-  TIMSK1 = 0;
-  pwm_cycle = 0;
-  for (volatile PwmChannel &channel : pwm_channels) {
-    channel.high = false;
-    if (channel.out) Io(channel.pin).drive(false);
-  }
+  end_pwm_pair();
 }
 
 //# helper dac_pins
@@ -1066,7 +634,7 @@ static int32_t dac_pins[2] = {-1, -1};
 static uint8_t dac_bits = 8;
 
 //# helper end_dac
-//#   needs: Io dac_pins
+//#   needs: hal/Io dac_pins
 inline void end_dac(uint8_t channel) {
   Io io(dac_pins[channel]);
   dac_pins[channel] = -1;
@@ -1078,7 +646,7 @@ inline void end_dac(uint8_t channel) {
 //# adapter dac_ctr
 //#   for: void dac_ctr(int pin, int channel, int dacVal)
 //#   kind: semantic
-//#   needs: Io dac_pins dac_bits end_dac
+//#   needs: hal/Io dac_pins dac_bits end_dac
 //#   pin: pin pwm out
 //#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
 //#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
@@ -1139,7 +707,7 @@ static_assert(LSBFIRST == 0, "LSBFIRST is 0 in simpletools.h");
 static_assert(MSBFIRST == 1, "MSBFIRST is 1 in simpletools.h");
 
 //# helper clock_pulse
-//#   needs: Io
+//#   needs: hal/Io
 inline void clock_pulse(const Io &clock) {
   clock.set(!clock.latch());
   clock.set(!clock.latch());
@@ -1148,7 +716,7 @@ inline void clock_pulse(const Io &clock) {
 //# adapter shift_in
 //#   for: int shift_in(int pinDat, int pinClk, int mode, int bits)
 //#   kind: semantic
-//#   needs: Io low clock_pulse MSBPRE LSBPRE MSBPOST
+//#   needs: hal/Io low clock_pulse MSBPRE LSBPRE MSBPOST
 //#   pin: pinDat digital in
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 25 kHz
@@ -1171,7 +739,7 @@ inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bi
 //# adapter shift_out
 //#   for: void shift_out(int pinDat, int pinClk, int mode, int bits, int value)
 //#   kind: semantic
-//#   needs: Io low clock_pulse
+//#   needs: hal/Io low clock_pulse
 //#   pin: pinDat digital out
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 30 kHz
@@ -1199,14 +767,14 @@ static i2c i2c_buses[2];
 //# adapter i2c_newbus
 //#   for: i2c *i2c_newbus(int sclPin, int sdaPin, int sclDrive)
 //#   kind: manyToOne
-//#   needs: i2c_buses simplei2c.h/i2c simplei2c.h/i2c_open
+//#   needs: i2c_buses simplei2c.h/i2c simplei2c.h/i2c_open hal/TwoWireBus
 //#   pin: sclPin digital both
 //#   pin: sdaPin digital both
 //#   fidelity: exact at the pins SCL and SDA; a bus at any other pins is not wired
 //#   limit: the bus is the one of the hardware: connect devices to SCL and SDA
 //#   stack: 0
 inline i2c *i2c_newbus(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
-  return i2c_open(&i2c_buses[sclPin != SCL || sdaPin != SDA], sclPin, sdaPin, sclDrive);
+  return i2c_open(&i2c_buses[i2c::place(sclPin, sdaPin)], sclPin, sdaPin, sclDrive);
 }
 
 //# helper i2c_begin
@@ -1267,35 +835,27 @@ inline int32_t i2c_busy(i2c *busID, int32_t i2cAddr) {
 
 // ---------------------------------------------------------------- EEPROM
 
-//# helper ee_cell
-//#   include: <avr/eeprom.h>
-inline uint8_t *ee_cell(int32_t addr) {
-  return (uint8_t *)(uint16_t)((uint32_t)addr & E2END);
-}
-
 //# adapter ee_putByte
 //#   for: void ee_putByte(unsigned char value, int addr)
 //#   kind: oneToMany
-//#   needs: ee_cell
-//#   include: <avr/eeprom.h>
+//#   needs: hal/store
 //#   fidelity: exact within the memory of the microcontroller
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes; what the source robot kept is not carried over
 //#   limit: a byte that changes takes 3.4 ms, where up to 128 of them take 5 ms there
 //#   stack: 2
 inline void ee_putByte(uint8_t value, int32_t addr) {
-  eeprom_update_byte(ee_cell(addr), value);
+  store_write((uint32_t)addr % store_size, value);
 }
 
 //# adapter ee_getByte
 //#   for: char ee_getByte(int addr)
 //#   kind: oneToMany
-//#   needs: ee_cell
-//#   include: <avr/eeprom.h>
+//#   needs: hal/store
 //#   fidelity: exact within the memory of the microcontroller; 0 to 255
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
 //#   stack: 0
 inline uint8_t ee_getByte(int32_t addr) {
-  return eeprom_read_byte(ee_cell(addr));
+  return store_read((uint32_t)addr % store_size);
 }
 
 //# adapter ee_putStr
@@ -1466,7 +1026,7 @@ inline void ee_put_float32(float value, int32_t addr) {
 //# adapter sd_mount
 //#   for: int sd_mount(int doPin, int clkPin, int diPin, int csPin)
 //#   kind: semantic
-//#   needs: Io
+//#   needs: hal/Io
 //#   include: <SD.h>
 //#   library: SD
 //#   pin: doPin digital in
@@ -1595,7 +1155,6 @@ inline void term_cmd(int32_t termConst, Numbers... numbers) {
 // ---------------------------------------------------------------- cogs
 
 //# helper CogInfo
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: what cog_run gives back, a pointer to the cog's number plus 1; it fits any pointer to a number
 struct CogInfo {
   int32_t *number;
@@ -1607,7 +1166,6 @@ struct CogInfo {
 };
 
 //# helper cog_numbers
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: propeller.h/COG_SLOTS
 //#   fidelity: the numbers of the cogs plus 1, where cog_run's callers look for them
 //#   ram: 4
@@ -1615,7 +1173,6 @@ static int32_t cog_numbers[COG_SLOTS];
 
 //# adapter cog_run
 //#   for: int *cog_run(void (*function)(void *par), int stacksize)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: CogInfo cog_numbers propeller.h/cog_start
 //#   fidelity: runs the function whenever the others wait; 0 when no cog is free
@@ -1631,7 +1188,6 @@ inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
 
 //# adapter cog_end
 //#   for: void cog_end(int *coginfo)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: propeller.h/cog_stop
 //#   fidelity: exact; nothing happens where no cog was started
@@ -1646,7 +1202,6 @@ inline void cog_end(Number *coginfo) {
 
 //# adapter cog_num
 //#   for: int cog_num(int *coginfo)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   fidelity: exact
 //#   stack: 0

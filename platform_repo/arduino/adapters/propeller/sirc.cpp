@@ -66,7 +66,7 @@ inline void sirc_setTimeout(int32_t ms) {
 //# adapter sirc_code
 //#   for: int sirc_code(int pin, int bits)
 //#   kind: oneToMany
-//#   needs: sirc_limit simpletools.h/pulse_in simpletools.h/set_io_dt simpletools.h/set_io_timeout simpletools.h/Io
+//#   needs: sirc_limit simpletools.h/pulse_in simpletools.h/set_io_dt simpletools.h/set_io_timeout hal/Io
 //#   pin: pin digital in
 //#   fidelity: exact: waits for a start of 2 to 2.8 ms; -1 for what is no bit, and after the timeout; sets the timeout of timed input
 //#   fidelity: to 20 ms, as there

@@ -2,7 +2,7 @@
 // A sensor that makes a pulse for each loud sound. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Sensor/libsoundimpact.
 
 //# helper SoundWatch
-//#   needs: simpletools.h/PinWatch
+//#   needs: hal/PinWatch
 //#   ram: 14
 struct SoundWatch : PinWatch {
   volatile uint16_t count;
@@ -18,7 +18,7 @@ static SoundWatch sound_watch;
 //# adapter soundImpact_run
 //#   for: int *soundImpact_run(int pin)
 //#   kind: semantic
-//#   needs: SoundWatch simpletools.h/CogInfo simpletools.h/Io simpletools.h/watch_pin
+//#   needs: SoundWatch simpletools.h/CogInfo hal/Io hal/watch_pin
 //#   pin: pin interrupt in
 //#   fidelity: rising edges are counted by an interrupt, those of pulses of some 10 us too; there a cog looks at the pin
 //#   limit: one sensor at a time, as there
@@ -39,7 +39,7 @@ inline CogInfo soundImpact_run(int32_t pin) {
 //# adapter soundImpact_end
 //#   for: void soundImpact_end(int *processID)
 //#   kind: semantic
-//#   needs: SoundWatch simpletools.h/PinWatch
+//#   needs: SoundWatch hal/PinWatch
 //#   fidelity: exact: nothing more is counted
 //#   stack: 2 0
 template <class Number>
@@ -52,14 +52,12 @@ inline void soundImpact_end(Number *processID) {
 //# adapter soundImpact_getCount
 //#   for: int soundImpact_getCount(void)
 //#   kind: semantic
-//#   needs: SoundWatch
+//#   needs: SoundWatch hal/Uninterrupted
 //#   fidelity: exact: how many sounds there were since the last call
 //#   stack: 0
 inline int32_t soundImpact_getCount() {
-  uint8_t old = SREG;
-  cli();
+  Uninterrupted now;
   uint16_t count = sound_watch.count;
   sound_watch.count = 0;
-  SREG = old;
   return count;
 }

@@ -4,7 +4,6 @@
 
 //# adapter cog_runStackTest
 //#   for: int *cog_runStackTest(void (*function)(void *par), int stacksize)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: simpletools.h/CogInfo simpletools.h/cog_run
 //#   fidelity: as cog_run
@@ -16,7 +15,6 @@ inline CogInfo cog_runStackTest(void (*function)(void *par), int32_t stacksize) 
 
 //# adapter cog_endStackTest
 //#   for: int cog_endStackTest(int *coginfo)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: propeller.h/cog_stack_used simpletools.h/cog_end
 //#   fidelity: the most that the cog had on its stack, in ints of 4 bytes; 0 without a cog
@@ -32,7 +30,6 @@ inline int32_t cog_endStackTest(Number *coginfo) {
 
 //# adapter cogstart_stackTest
 //#   for: int cogstart_stackTest(void (*func)(void *), void *par, void *stack, size_t stacksize)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: propeller.h/cogstart
 //#   fidelity: as cogstart
@@ -44,7 +41,6 @@ inline int32_t cogstart_stackTest(void (*func)(void *), void *par, void *stack, 
 
 //# adapter cogstop_stackTest
 //#   for: int cogstop_stackTest(int cog, void *stack)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: propeller.h/COG_SLOTS propeller.h/cog_stack_used propeller.h/cogstop
 //#   fidelity: the most that the cog had on its stack, in ints of 4 bytes; 0 without a cog

@@ -412,7 +412,7 @@ inline File *file_of(FILE *stream) {
 //# adapter fopen
 //#   for: FILE *fopen(const char *name, const char *mode)
 //#   kind: semantic
-//#   needs: open_files file_of
+//#   needs: open_files file_of hal/own_files
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: exact: 0 when the file cannot be opened; the modes r, w, a and each with +
@@ -427,15 +427,13 @@ inline FILE *fopen(const char *name, const char *mode) {
     each.file = SD.open(name, how);
     if (!each.file) return 0;
     if (*mode != 'a') each.file.seek(0);
-    fdev_setup_stream(
-        &each.stream, [](char c, FILE *stream) { return file_of(stream)->write((uint8_t)c) == 1 ? 0 : 1; },
+    return open_own_file(
+        each.stream, [](char c, FILE *stream) { return file_of(stream)->write((uint8_t)c) == 1 ? 0 : 1; },
         [](FILE *stream) {
           int c = file_of(stream)->read();
-          return c < 0 ? _FDEV_EOF : c;
+          return c < 0 ? end_of_own_file : c;
         },
-        _FDEV_SETUP_RW);
-    fdev_set_udata(&each.stream, static_cast<Stream *>(&each.file));
-    return &each.stream;
+        static_cast<Stream *>(&each.file));
   }
   return 0;
 }
@@ -501,16 +499,15 @@ inline void c_rewind(FILE *fp) {
 // ---------------------------------------------------------------- the console as a file
 
 //# helper console_file
-//#   needs: putchar getchar
+//#   needs: putchar getchar hal/own_files
 //#   include: <stdio.h>
 //#   setup: stdin = stdout = stderr = console_file();
 //#   fidelity: the target's own functions for files read and write the terminal, as stdin, stdout and stderr
 //#   ram: 14
 inline FILE *console_file() {
-  static FILE file;
-  fdev_setup_stream(
-      &file, [](char c, FILE *) { return (int)(c_putchar(c) < 0); }, [](FILE *) { return (int)c_getchar(); }, _FDEV_SETUP_RW);
-  return &file;
+  static OwnFile file;
+  return open_own_file(
+      file, [](char c, FILE *) { return (int)(c_putchar(c) < 0); }, [](FILE *) { return (int)c_getchar(); }, 0);
 }
 
 inline bool is_file(const FILE *file) {
@@ -518,10 +515,11 @@ inline bool is_file(const FILE *file) {
 }
 
 //# helper file_stream
+//#   needs: hal/own_files
 //#   include: <stdio.h>
 // The file that a stream stands for; 0 for the terminal, which is none
 inline Stream *file_stream(FILE *fp) {
-  return static_cast<Stream *>(fdev_get_udata(fp));
+  return static_cast<Stream *>(about_own_file(fp));
 }
 
 //# adapter fflush

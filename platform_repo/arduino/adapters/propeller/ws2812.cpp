@@ -202,7 +202,7 @@ inline void ws2812_close(ws2812_t *driver) {
 //# adapter ws2812_set
 //#   for: void ws2812_set(ws2812_t *driver, int pin, uint32_t *colors, int count)
 //#   kind: semantic
-//#   needs: TYPE_GRB ws2812_t simpletools.h/Io simpletools.h/quiet_of_servos
+//#   needs: TYPE_GRB ws2812_t hal/Io hal/LightLine hal/Uninterrupted hal/quiet_of_servos
 //#   pin: pin digital out
 //#   fidelity: all lights are set when it returns, which takes 33 us for each; beside servos it waits up to 20 ms for a time
 //#   fidelity: between their pulses, so that these keep their widths
@@ -217,34 +217,14 @@ inline void ws2812_set(ws2812_t *driver, int32_t pin, uint32_t *colors, int32_t 
   io.drive(true);
   while (micros() - driver->ended < driver->reset) yield();
   quiet_of_servos(33UL * max(count, 0));
-  uint8_t before = SREG;
-  cli();
-  uint8_t low = *io.out & ~io.mask, high = low | io.mask;
   const uint8_t *bytes = (const uint8_t *)colors;  // blue, green, red, none
   uint8_t first = driver->type == TYPE_GRB ? 1 : 2;
-  for (uint16_t left = max(count, 0); left; left--, bytes += 4) {
-    for (uint8_t part = 3, place = first; part; part--, place = part == 2 ? 3 - first : 0) {
-      uint8_t byte = bytes[place];
-      uint8_t bits = 8, now;
-      asm volatile(
-          "1: st %a[out], %[high]\n\t"  // 2 cycles; the pin is high for 6 or 13 cycles of 20
-          "mov %[now], %[low]\n\t"
-          "sbrc %[byte], 7\n\t"
-          "mov %[now], %[high]\n\t"
-          "lsl %[byte]\n\t"
-          "st %a[out], %[now]\n\t"
-          "rjmp .+0\n\t"
-          "rjmp .+0\n\t"
-          "nop\n\t"
-          "st %a[out], %[low]\n\t"
-          "rjmp .+0\n\t"
-          "dec %[bits]\n\t"
-          "brne 1b"
-          : [bits] "+r"(bits), [byte] "+r"(byte), [now] "=&r"(now)
-          : [out] "e"(io.out), [high] "r"(high), [low] "r"(low));
-    }
+  {
+    Uninterrupted now;
+    LightLine line(io);
+    for (uint16_t left = max(count, 0); left; left--, bytes += 4)
+      for (uint8_t part = 3, place = first; part; part--, place = part == 2 ? 3 - first : 0) line.send(bytes[place]);
   }
-  SREG = before;
   driver->ended = micros();
 }
 

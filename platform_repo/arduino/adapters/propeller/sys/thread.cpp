@@ -7,7 +7,6 @@ struct _thread_state_t {};
 
 //# adapter _start_cog_thread
 //#   for: int _start_cog_thread(void *stacktop, void (*func)(void *), void *arg, _thread_state_t *tls)
-//#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
 //#   needs: _thread_state_t propeller.h/cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait

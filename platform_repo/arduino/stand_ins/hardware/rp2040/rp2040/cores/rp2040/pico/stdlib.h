@@ -1,0 +1,3 @@
+#pragma once
+#include "../hardware/gpio.h"
+#include "time.h"
