@@ -514,6 +514,20 @@ class Function(Declaration):
     """Its body, if this is the definition."""
     calls: MutableSequence[Call] = EReference(upper=-1)
     """Where it is called."""
+    virtual: bool = EAttribute(eType=EBoolean)
+    """True for a virtual member function of C++."""
+    pure: bool = EAttribute(eType=EBoolean)
+    """True for a virtual member function without a body of its own (= 0), which derived classes implement."""
+    initializers: MutableSequence[MemberInitializer] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """Of a constructor, what stands between the colon and the body."""
+    templateParameters: MutableSequence[TemplateParameter] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """Parameters of the C++ template that this is; empty for what is no template."""
 
     if TYPE_CHECKING:
 
@@ -539,6 +553,10 @@ class Function(Declaration):
             parameters: Iterable[Parameter] | None = None,
             body: Block | None = None,
             calls: Iterable[Call] | None = None,
+            virtual: bool | None = None,
+            pure: bool | None = None,
+            initializers: Iterable[MemberInitializer] | None = None,
+            templateParameters: Iterable[TemplateParameter] | None = None,
         ) -> None: ...
 
 
@@ -547,6 +565,8 @@ class Parameter(Declaration):
 
     valueType: TypeUse | None = EReference(containment=True)
     """Its type."""
+    defaultValue: Expression | None = EReference(containment=True)
+    """The value that it has in calls without its argument."""
 
     if TYPE_CHECKING:
 
@@ -565,6 +585,7 @@ class Parameter(Declaration):
             comment: str | None = None,
             references: Iterable[NameReference] | None = None,
             valueType: TypeUse | None = None,
+            defaultValue: Expression | None = None,
         ) -> None: ...
 
 
@@ -613,6 +634,8 @@ class Field(Declaration):
     """Width of a bit field, 0 for an ordinary member."""
     valueType: TypeUse | None = EReference(containment=True)
     """Its type."""
+    initializer: Expression | None = EReference(containment=True)
+    """Initial value in the class, if one is written."""
 
     if TYPE_CHECKING:
 
@@ -632,6 +655,7 @@ class Field(Declaration):
             references: Iterable[NameReference] | None = None,
             bitWidth: int | None = None,
             valueType: TypeUse | None = None,
+            initializer: Expression | None = None,
         ) -> None: ...
 
 
@@ -670,6 +694,15 @@ class Record(Declaration):
     """Its members."""
     methods: MutableSequence[Function] = EReference(upper=-1, containment=True)
     """Its member functions."""
+    bases: MutableSequence[TypeUse] = EReference(upper=-1, containment=True)
+    """The classes that it is derived from."""
+    staticMembers: MutableSequence[Variable] = EReference(upper=-1, containment=True)
+    """Its static data members."""
+    templateParameters: MutableSequence[TemplateParameter] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """Parameters of the C++ template that this is; empty for what is no template."""
 
     if TYPE_CHECKING:
 
@@ -690,6 +723,9 @@ class Record(Declaration):
             recordKind: RecordKind | None = None,
             fields: Iterable[Field] | None = None,
             methods: Iterable[Function] | None = None,
+            bases: Iterable[TypeUse] | None = None,
+            staticMembers: Iterable[Variable] | None = None,
+            templateParameters: Iterable[TemplateParameter] | None = None,
         ) -> None: ...
 
 
@@ -797,6 +833,59 @@ class Namespace(Declaration):
             comment: str | None = None,
             references: Iterable[NameReference] | None = None,
             declarations: Iterable[Declaration] | None = None,
+        ) -> None: ...
+
+
+class TemplateParameter(Declaration):
+    """A parameter of a C++ template: a type, or a value if it has a type itself."""
+
+    valueType: TypeUse | None = EReference(containment=True)
+    """Type of the value; missing for a parameter that is a type."""
+    defaultValue: Expression | None = EReference(containment=True)
+    """The value that it has if none is given."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            valueType: TypeUse | None = None,
+            defaultValue: Expression | None = None,
+        ) -> None: ...
+
+
+class MemberInitializer(Located):
+    """The initialisation of a member or of a base class before a constructor runs."""
+
+    name: str = EAttribute(eType=EString, default_value="")
+    """The member or the base class."""
+    arguments: MutableSequence[Expression] = EReference(upper=-1, containment=True)
+    """The values that it is given."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            arguments: Iterable[Expression] | None = None,
         ) -> None: ...
 
 
@@ -1660,6 +1749,53 @@ class UnknownExpression(Expression):
         ) -> None: ...
 
 
+class ConstructorCall(Expression):
+    """The construction of an object by values in parentheses or braces, with the name of its class or after the name of a variable."""
+
+    className: str = EAttribute(eType=EString, default_value="")
+    """The class."""
+    arguments: MutableSequence[Expression] = EReference(upper=-1, containment=True)
+    """The values that the constructor is given."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            className: str | None = None,
+            arguments: Iterable[Expression] | None = None,
+        ) -> None: ...
+
+
+class Lambda(UnknownExpression):
+    """A C++ lambda: its text, its parameters, and the statements of its body."""
+
+    parameters: MutableSequence[Parameter] = EReference(upper=-1, containment=True)
+    """Its parameters."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+            body: Block | None = None,
+            parameters: Iterable[Parameter] | None = None,
+        ) -> None: ...
+
+
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     from robosmi.model.strict_package import classifier
 
@@ -1682,15 +1818,25 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Function.parameters.eType = Parameter
     Function.body.eType = Block
     Function.calls.eType = Call
+    Function.initializers.eType = MemberInitializer
+    Function.templateParameters.eType = TemplateParameter
     Parameter.valueType.eType = TypeUse
+    Parameter.defaultValue.eType = Expression
     Variable.valueType.eType = TypeUse
     Variable.initializer.eType = Expression
     Field.valueType.eType = TypeUse
+    Field.initializer.eType = Expression
     Typedef.aliased.eType = TypeUse
     Record.fields.eType = Field
     Record.methods.eType = Function
+    Record.bases.eType = TypeUse
+    Record.staticMembers.eType = Variable
+    Record.templateParameters.eType = TemplateParameter
     Enumeration.literals.eType = EnumerationLiteral
     Namespace.declarations.eType = Declaration
+    TemplateParameter.valueType.eType = TypeUse
+    TemplateParameter.defaultValue.eType = Expression
+    MemberInitializer.arguments.eType = Expression
     Block.statements.eType = Statement
     If.initial.eType = Statement
     If.declaration.eType = DeclarationStatement
@@ -1735,6 +1881,8 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     SizeOf.operand.eType = Expression
     InitializerList.elements.eType = Expression
     UnknownExpression.body.eType = Block
+    ConstructorCall.arguments.eType = Expression
+    Lambda.parameters.eType = Parameter
     Program.units.eOpposite = SourceUnit.program
     Macro.uses.eOpposite = MacroUse.macro
     Declaration.references.eOpposite = NameReference.target

@@ -13,7 +13,6 @@ import subprocess
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from time import monotonic
 
 from msgspec import Struct
 
@@ -27,6 +26,7 @@ from robosmi.verify.sandbox import FLAGS, SOURCE, Launcher, launcher
 from robosmi.verify.toolchains import archives
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import in_parallel
+from robosmi.verify.toolchains.processor_time import HANGS, used_s
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.tools import run, tool_version
 from robosmi.verify.used_files import check_used, used_files
@@ -92,7 +92,7 @@ def build_original(
         folder: an empty folder of the caller's, in which everything is made.
         include_folders: where headers of the program are looked for, beside the file that includes them.
         headers: name -> text of further headers, looked for last.
-        limit_s: seconds of this machine's time for all of it.
+        limit_s: seconds of processor time for all of it.
         only: the files that the program may include, and those of the model; any if None.
         trusted: whether a person trusts the program, so that it may also run where the system has no sandbox for it.
 
@@ -102,7 +102,7 @@ def build_original(
         VerificationError: the program does not compile or link, or that takes too long.
     """
     files = None if only is None else frozenset(path.resolve() for path in only)
-    build = _Build(model, folder.resolve(), monotonic() + limit_s, files, trusted)
+    build = _Build(model, folder.resolve(), used_s() + limit_s, files, trusted)
     return build.program([path.resolve() for path in sources], [path.resolve() for path in include_folders], headers or {})
 
 
@@ -110,13 +110,18 @@ def missing_tools(model: HostModel) -> str | None:
     """The instruction for installing what is missing to build programs with a host model; None if nothing is."""
     with temporary_folder("original") as place:
         try:
-            _Build(model, Path(place), monotonic() + 10).probe()
+            _Build(model, Path(place), used_s() + 10).probe()
         except MissingToolError as error:
             return error.fix
     return None
 
 
+_LEAST_S = 1.0
+"""Processor time that a step may take once it has begun, in seconds."""
+
+
 class _Build(Struct, dict=True):
+    # until: the processor time of this process and its children at which no further step begins
     model: HostModel
     folder: Path
     until: float
@@ -135,9 +140,15 @@ class _Build(Struct, dict=True):
             (more / name).write_text(text, encoding="utf-8")
         (self.folder / _FIRST).write_text(self.model.predefined_text)
         flags = [*self._flags("machine"), *self._flags("program"), *self._flags("hooks"), "-include", str(self.folder / _FIRST)]
-        flags += [f"-I{path}" for path in include_folders] + self._headers() + ["-isystem", str(more)]
+        flags += [f"-I{path}" for path in include_folders]
+        headers_of = {
+            language: [*self._wrapped(language), *self._headers(), "-isystem", str(more)]
+            for language in {_language(path) for path in sources}
+        }
         objects = [self.folder / f"{number}-{path.stem}.o" for number, path in enumerate(sources)]
-        for _ in in_parallel(lambda job: self._compile(*job, flags), list(zip(sources, objects, strict=True))):
+        for _ in in_parallel(
+            lambda job: self._compile(*job, [*flags, *headers_of[_language(job[0])]]), list(zip(sources, objects, strict=True))
+        ):
             pass
         made = joined(objects, self.folder, self.model, known, self._run)
         binary = self.folder / "original"
@@ -156,7 +167,7 @@ class _Build(Struct, dict=True):
         """Compile a file of the program, and look at the files and the assembler text that it consists of."""
         text, used = target.with_suffix(".s"), target.with_suffix(".d")
         prefix = f"-fmacro-prefix-map={source.parent}/="  # of __FILE__
-        self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", *_language(source), "-o", str(text))
+        self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", "-x", _language(source), str(source), "-o", str(text))
         if self.only is not None:
             rule = read_tool_file(used).decode("utf-8", "surrogateescape")
             check_used(used_files(rule, self.folder), self.only, (self.folder, *self.model.headers))
@@ -259,6 +270,18 @@ class _Build(Struct, dict=True):
     def _headers(self) -> list[str]:
         return [word for path in self.model.headers for word in ("-isystem", str(path))]
 
+    def _wrapped(self, language: str) -> list[str]:
+        """The flags by which a C++ source includes the headers of the model, which are C, with C linkage; none for C."""
+        if language != "c++":
+            return []
+        wrapped = self.folder / "cplusplus"
+        for folder in self.model.headers:
+            for header in folder.rglob("*.h"):
+                name = header.relative_to(folder)
+                (wrapped / name).parent.mkdir(parents=True, exist_ok=True)
+                (wrapped / name).write_text(f'extern "C" {{\n#include_next <{name.as_posix()}>\n}}\n')
+        return [*self._flags("cplusplus"), "-isystem", str(wrapped)]
+
     def _run_all(self, jobs: Sequence[Sequence[str]]) -> None:
         for _ in in_parallel(lambda job: self._run(*job), jobs):
             pass
@@ -285,15 +308,19 @@ class _Build(Struct, dict=True):
         raise _unusual(f"compiled on this machine by '{self.model.compiler.text(role)}'", done)
 
     def _start(self, command: Sequence[str]) -> subprocess.CompletedProcess[str]:
+        if (left_s := self.until - used_s()) <= 0:
+            raise VerificationError(
+                "the original takes too long to compile on this machine", fix="give fewer or smaller files, or raise the limit"
+            )
         try:
-            return check_machine(command[0], run(command, self.folder, _environment(), self.until - monotonic()))
+            return check_machine(command[0], run(command, self.folder, _environment(), HANGS * max(left_s, _LEAST_S)))
         except MissingToolError as error:
             raise MissingToolError(error.message, fix=self.model.install) from error
 
 
-def _language(source: Path) -> tuple[str, ...]:
-    """A source with its language: a compiler takes other files than sources, too, going by their names."""
-    return "-x", "c++" if source.suffix in _CXX else "c", str(source)
+def _language(source: Path) -> str:
+    """The language of a source: a compiler takes other files than sources, too, going by their names."""
+    return "c++" if source.suffix in _CXX else "c"
 
 
 def _as_written(name: str) -> str:

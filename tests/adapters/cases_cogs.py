@@ -168,3 +168,24 @@ void loop() { }
 """
     uses = ["pthread.h/pthread_create", "pthread.h/pthread_set_affinity_thiscog_np", "propeller.h/cogid"]
     assert cogs(uno, program, uses) == "11"
+
+
+@proves("simpletools.h/cog_end", "propeller.h/cogstop", "simpletools.h/cog_run", "propeller.h/cogstart")
+def pins_of_a_cog_that_ends_are_let_go(uno: Uno) -> None:
+    """A pin that main drives, too, stays an output; one of an ended, stopped or returning cog floats, as on the Propeller."""
+    program = """
+static int32_t stack[64];
+void pump(void *) { high(7); high(8); for (;;) delay(1); }
+void lamp(void *) { high(6); delay(2); }
+void setup() {
+  Serial.begin(115200); high(8);
+  int32_t *cog = cog_run(pump, 10); int32_t other = cogstart(lamp, 0, stack, sizeof stack); delay(1);
+  Serial.print(DDRD >> 6 & 3); Serial.print(DDRB & 1); delay(5);
+  Serial.print(DDRD >> 6 & 3); cog_end(cog); Serial.print(DDRD >> 6 & 3); Serial.print(PORTD >> 6 & 3);
+  Serial.print(DDRB & 1); Serial.print(PORTB & 1); (void)other;
+  other = cogstart(pump, 0, stack, sizeof stack); delay(1); Serial.print(DDRD >> 6 & 3);
+  cogstop(other); Serial.print(DDRD >> 6 & 3);
+} void loop() { delay(1); }
+"""
+    uses = ["simpletools.h/cog_run", "simpletools.h/cog_end", "propeller.h/cogstart", "propeller.h/cogstop", "simpletools.h/high"]
+    assert cogs(uno, program, uses) == "312001120"

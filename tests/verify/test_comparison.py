@@ -11,6 +11,8 @@ Told = list[tuple[float, str, tuple[float | str, ...]]]
 
 BLINK: Told = [(0, LEVEL, (0,)), (500, LEVEL, (1,)), (1500, LEVEL, (0,))]
 DRIVE: Told = [(0, LEVEL, (0,)), (20, PULSES, (1500.0,)), (800, PULSES, (1560.0,))]
+NOTE: Told = [(0, LEVEL, (0,)), (300, WAVE, (534.0, 0.5)), (575, LEVEL, (0,))]
+DIMMED: Told = [(0, LEVEL, (0,)), (300, WAVE, (1000.0, 0.996)), (700, LEVEL, (0,))]
 TONE: Told = [(0, LEVEL, (0,)), (300, WAVE, (3000.0, 0.5)), (500, LEVEL, (0,))]
 LINES: Told = [(100, READING, ("count 7",)), (900, READING, ("volts 2.48",))]
 COUNTED: Told = [(100, READING, ("1000 ms, 50.0 cm",)), (900, READING, ("done",))]
@@ -72,6 +74,10 @@ def test_what_is_said_may_be_off_by_twice_as_much_as_in_other_runs_of_the_source
         (TONE, changed(TONE, 1, None, (3100.0, 0.5)), "different"),
         (TONE, changed(TONE, 1, None, (3000.0, 0.6)), "different"),
         (TONE, changed(TONE, 2, 503), "different"),
+        (NOTE, changed(NOTE, 2, 571.4), "same"),
+        (NOTE, changed(NOTE, 2, 568), "different"),
+        (DIMMED, [DIMMED[0], (300, LEVEL, (1,)), *DIMMED[2:]], "same"),
+        (DIMMED, [DIMMED[0], (300, LEVEL, (0,)), *DIMMED[2:]], "different"),
         (TEXT, changed(TEXT, 0, None, ("count 8",)), "different"),
         (LINES, changed(LINES, 0, None, ("count 8",)), "same"),
         (LINES, changed(LINES, 0, None, ("count 9",)), "different"),

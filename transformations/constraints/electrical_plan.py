@@ -56,6 +56,10 @@ def plan_rules() -> frozenset[str]:
     return frozenset(constraint.id for constraint in _both.declared())
 
 
+SERVO, MOTOR_DRIVER = "servo", "motor driver"
+"""The kind of a port's component, and that of a part, as the repository's data call them."""
+
+
 def of_plan(element: Element) -> migration.MigrationPlan | None:
     """The plan that contains an element; None if there is none."""
     found = root_of(element)
@@ -87,6 +91,7 @@ bindings = together.context(
     migration.PortBinding, guard=lambda b: is_drawn(b) and (b.connection is not None or b.pin is not None)
 )
 plans = together.context(migration.MigrationPlan, guard=is_drawn)
+connections = together.context(migration.Connection)
 choices = together.context(migration.LibraryChoice, guard=lambda c: is_drawn(c) and c.chosen is not None)
 
 
@@ -147,6 +152,25 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
         return True
     sensor = connection.component
     return fault(sensor, f"the program may drive the port '{b.name}' before it reads '{who(sensor)}' there")
+
+
+@bindings.constraint(
+    id="RS269",
+    location=place,
+    advice="bind the port to the signal pin of a continuous servo, or write bodies that drive the motor driver's inputs",
+    guard=lambda b: b.role == SERVO,
+)
+def TakesPulsesOfAServo(b: migration.PortBinding) -> bool | Fail:
+    """A port that carries a servo's pulses is not on a motor driver, whose inputs take levels and PWM."""
+    plan, pin = of_plan(b), b.pin or (b.connection.pin if b.connection is not None else None)
+    assert plan is not None
+    parts = [c.component for c in plan.connections if c.component is not None and c.pin is not None and c.pin is pin]
+    driver = next((part for part in parts if wired(plan).facts(part).kind == MOTOR_DRIVER), None)
+    if driver is None:
+        return True
+    where = pin.label if pin is not None else ""
+    what = f"the port '{b.name}' ({where}) carries a servo's pulses, but '{who(driver)}' there is a motor driver"
+    return fault(driver, f"{what}: the motor would not turn", pin=where)
 
 
 @bindings.critique(
@@ -274,20 +298,25 @@ def _for(choice: migration.LibraryChoice) -> str:
     return f"'{who(choice.component)}'" if choice.component is not None else "another component"
 
 
-@plans.critique(id="RS266", location=place, advice="move it to another pin")
-def SerialPinsAreFree(p: migration.MigrationPlan) -> bool | Fail:
-    """The pins of the serial port to the computer are free if the program uses that port."""
-    talking = next(terminal_functions(p), None)
+@connections.critique(
+    id="RS266", location=place, advice="move it to another pin", guard=lambda c: is_drawn(c) and _is_at_serial(c)
+)
+def SerialPinIsFree(c: migration.Connection) -> bool | Fail:
+    """A pin of the serial port to the computer is free if the program uses that port."""
+    plan, pin, component = of_plan(c), c.pin, c.component
+    assert plan is not None
+    assert pin is not None
+    assert component is not None
+    talking = next(terminal_functions(plan), None)
     if talking is None:
         return True
-    for connection in p.connections:
-        pin, component = connection.pin, connection.component
-        if pin is not None and component is not None and pin.reserved and "uart" in pin.abilities:
-            return fault(
-                component, f"the program uses the serial port ({talking}), but '{who(component)}' is on its pin {pin.label}",
-                pin=pin.label,
-            )  # fmt: skip
-    return True
+    message = f"the program uses the serial port ({talking}), but '{who(component)}' is on its pin {pin.label}"
+    return fault(component, message, pin=pin.label)
+
+
+def _is_at_serial(connection: migration.Connection) -> bool:
+    pin = connection.pin
+    return pin is not None and connection.component is not None and bool(pin.reserved) and "uart" in pin.abilities
 
 
 def terminal_functions(plan: migration.MigrationPlan) -> Iterator[str]:

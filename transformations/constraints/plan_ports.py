@@ -97,7 +97,7 @@ def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
 @bindings.constraint(
     id="RS731",
     severity=Severity.warning,
-    advice="bind both names to one pin if they belong together",
+    advice="check which part is on the port in the original's wiring; give both names its pin if they mean one part",
     guard=lambda b: b.sourcePin >= 0 and _on_one_pin(b),
 )
 def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
@@ -108,12 +108,21 @@ def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
         if other.sourcePin == b.sourcePin and _on_one_pin(other) and there is not pin:
             assert pin is not None
             assert there is not None
+            parts = [listed_parts(each) for each in (other, b)]
+            differ = f", with different parts ({parts[0]} and {parts[1]})" if all(parts) and parts[0] != parts[1] else ""
             return Fail(
                 f"the original uses P{b.sourcePin} for the {named(other)} and the {named(b)}; they are now on separate pins, "
-                f"{there.label} and {pin.label}",
+                f"{there.label} and {pin.label}{differ}",
                 pin=pin.label,
             )
     return True
+
+
+def listed_parts(b: migration.PortBinding) -> str:
+    """The parts on the pin of a binding, in quotes; empty if nothing is drawn there."""
+    pin = bound_pin(b)
+    titles = (c.component.title for c in plan_of(b).connections if c.pin is pin and c.component is not None)
+    return ", ".join(f"'{title}'" for title in dict.fromkeys(titles))
 
 
 def _on_one_pin(b: migration.PortBinding) -> bool:

@@ -15,7 +15,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
-from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, undeclared_variables, unit_of
+from robosmi.transformations.queries.own_headers import headers_of_types, is_member, undeclared, undeclared_variables, unit_of
 from robosmi.transformations.queries.plans.plan import preserves_main, target_of
 from robosmi.transformations.queries.plans.plan_adapters import rest_levels
 from robosmi.transformations.queries.plans.verdicts import IN_PLACE
@@ -230,6 +230,8 @@ def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
 
 def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: Sequence[ccode.Function]) -> bool:
     """Whether a function is used before its definition and before all its prototypes."""
+    if is_member(function):
+        return False
     uses = [use.startOffset for use in (*function.calls, *function.references) if ancestor_of_kind(use, ccode.SourceUnit) is unit]
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)

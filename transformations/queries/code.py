@@ -143,12 +143,12 @@ class CodeView:
         return ReachedValues(self.program, self.unit)
 
     def called(self) -> dict[str, CalledFunction]:
-        """Every function that is called and not defined in the program, by name; computed callees are left out."""
+        """Every function that is called and not defined in the program, by name, without computed callees and pure methods."""
         if self._functions is None:
             found: dict[str, CalledFunction] = {}
             for call in self.calls:
                 name, callee = str(call.calleeName or ""), call.callee
-                if not name or name in self.own_macros or (callee is not None and callee.definition):
+                if not name or name in self.own_macros or (callee is not None and (callee.definition or callee.pure)):
                     continue
                 found.setdefault(name, CalledFunction(name, callee=callee)).calls.append(call)
             for name in self._called_in_macros():

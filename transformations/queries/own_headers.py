@@ -70,13 +70,18 @@ def in_sketch(header: ccode.SourceUnit) -> str:
     return header_file(header.path.rpartition("/")[2])
 
 
+def is_member(function: ccode.Function) -> bool:
+    """Whether a function belongs to a class or a namespace, which declares it."""
+    return isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)) or "::" in str(function.signature)
+
+
 def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
     """The functions of other files that a unit calls and declares nowhere, as old C allows; by their first calls."""
     declared = {d.name for u in (unit, *included(unit)) for d in u.declarations if isinstance(d, ccode.Function)}
     found: dict[str, ccode.Function] = {}
     for call in sorted(all_of_kind(unit, ccode.Call), key=_start):
         callee = call.callee
-        if callee is None or not callee.definition or callee.name in declared:
+        if callee is None or not callee.definition or callee.name in declared or is_member(callee):
             continue
         if ancestor_of_kind(callee, ccode.SourceUnit) in (None, unit):  # None: a header defines it that was not carried over
             continue

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from robosmi.verify.traces.activity import HELD, PULSE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.traces.activity import HELD, LEVEL, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.traces.driven_lines import lengths_alike, pulses_alike
 from robosmi.verify.traces.servo_widths import tolerated_us
 
@@ -35,7 +35,7 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
     if one.pulses and other.pulses and (one.kind != other.kind or float(one.value[0]) > _FASTEST_HZ):
         return one.pulses == other.pulses
     if one.kind != other.kind:
-        return False
+        return _nearly_constant(one, other) or _nearly_constant(other, one)
     if one.kind == WAVE:
         (hz, duty), (other_hz, other_duty) = one.value, other.value
         loose = _looseness(one, other)
@@ -52,6 +52,13 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         told = one if one.exact or one.off else other
         return _reads_alike(str(one.value[0]), str(other.value[0]), told)
     return one.value == other.value
+
+
+def _nearly_constant(wave: ActivityEvent, level: ActivityEvent) -> bool:
+    """Whether a timer's wave is within the tolerance of its duty of a constant level, as 99.6 % is of high."""
+    if wave.kind != WAVE or wave.pulses or level.kind != LEVEL or isinstance(level.value[0], str):
+        return False
+    return abs(float(wave.value[1]) - float(level.value[0])) <= _DUTY
 
 
 def _looseness(one: ActivityEvent, other: ActivityEvent) -> float:

@@ -49,6 +49,8 @@ _RESOLUTION_MS = 0.25
 _FRAME_MS = 21.0
 _REST_MS = 5.0
 """Tolerance in ms for a low level, which ends when the program's loop comes round: the code in between takes other times."""
+_PERIODS = 2
+"""The periods by which a timer's tone may end otherwise: it ends with a whole one, and an interrupt counts the last."""
 _OWN_HZ = 0.05
 """Relative difference of a wave that a program makes edge by edge, between runs of the source: its steps set the frequency."""
 RESONATOR = 0.005
@@ -307,6 +309,8 @@ def _tau(event: ActivityEvent, beyond_ms: float) -> float:
 def _lasts_alike(event: ActivityEvent, after: ActivityEvent, source_ms: float, target_ms: float, beyond_ms: float) -> bool:
     """Whether the durations of an event agree on both sides; next to servo frames only to within the period of a frame."""
     coarse = _REST_MS if event.value == (0,) else 0.0
+    if event.kind == WAVE and not event.pulses:
+        coarse = _PERIODS * 1000 / float(event.value[0])
     if PULSES in (event.kind, after.kind):
         coarse = _FRAME_MS * (1 + (event.value == (0,)))
     return abs(target_ms - source_ms) <= _DURATION * source_ms + _RESOLUTION_MS + coarse + beyond_ms

@@ -19,6 +19,7 @@ from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.constraints.electrical import electrical, electrical_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults, together
+from robosmi.transformations.constraints.plan_ports import port_faults
 from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts, electrical as facts
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.circuits.electrical import stated_volts, wiring
@@ -293,3 +294,19 @@ def test_the_serial_port_of_the_board_itself_needs_nothing_drawn(tmp_path: Path)
     plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv").plan
     assert sorted(b.choice for b in plan.portBindings if b.name in ("P30", "P31")) == ["D0", "D1"]
     assert "RS262" not in {f.rule for f in plan.findings}
+
+
+def test_each_part_on_the_serial_pins_is_named(tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text('#include "simpletools.h"\nint main(void) {\n  print("hello\\n");\n}\n', encoding="utf-8")
+    (tmp_path / "wiring.csv").write_text("pin,part,title,connector\nD0,Button,Start,1\nD1,Red LED,Lamp,anode\n", encoding="utf-8")
+    found = [f for f in planned(tmp_path) if f.rule == "RS266"]
+    assert sorted(str(f.evidence["pin"]) for f in found) == ["D0", "D1"]
+
+
+def test_two_parts_at_one_port_of_the_source_are_named() -> None:
+    plan = plan_migration(
+        [PLANS.parent / "one_port_two_parts" / "robot.c"], hardware=PLANS.parent / "one_port_two_parts" / "wiring.csv"
+    ).plan
+    (finding,) = [f for f in port_faults(plan) if f.rule == "RS731"]
+    assert "'side lamp'" in finding.message
+    assert "'right servo'" in finding.message

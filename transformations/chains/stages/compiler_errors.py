@@ -14,11 +14,12 @@ from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.plans.plan import target_of
+from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
 RULE = "RS337"
-_CODE = (".ino", ".cpp", ".c", ".h")
+_CODE = (".ino", ".cpp", ".c", *HEADERS)
 _MOST_MEMBERS = 100_000
 """Members of a structure, those of its members included, beyond which libclang is not asked: it takes memory for each.
 

@@ -27,8 +27,9 @@ from robosmi.transformations.queries.reports.written_bodies import (
     with_ticks,
     written,
 )
+from robosmi.transformations.queries.source_text import HEADERS
 
-_CODE = (".h", ".ino", ".cpp", ".c")
+_CODE = (*HEADERS, ".ino", ".cpp", ".c")
 _AWAY = "#if 0  // what you wrote for '{}', which nothing calls any more"
 
 

@@ -263,6 +263,9 @@ class FlowReader:
                 self._variable(element)
             elif isinstance(element, ccode.Function):
                 self._unseen_calls(element)
+            elif isinstance(element, ccode.Lambda):
+                for parameter in element.parameters:
+                    self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
             elif isinstance(element, ccode.Assignment):
                 self._assignment(element)
             elif isinstance(element, ccode.Cast):
@@ -312,6 +315,9 @@ class FlowReader:
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
+        if isinstance(variable.initializer, ccode.ConstructorCall):
+            self.flows.freeze(key, f"'{variable.name}' is constructed (line {variable.line})", computed=True)
+            return
         if record_of(use) is not None and variable.initializer is not None:
             if isinstance(variable.initializer, ccode.InitializerList):
                 for member, value in members_given(use, variable.initializer):

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
-from robosmi.query import all_contents
+from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.queries.programs.main_function import main_of
 from robosmi.transformations.queries.programs.unreached import Unreached
 
@@ -43,10 +43,23 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
 
 
 def beginnings(units: Sequence[ccode.SourceUnit]) -> list[Element]:
-    """The roots of reachability: every main, and the variables that bodies of used macros name."""
+    """The roots of reachability: every main, the variables that bodies of used macros name, and what C++ calls without a call."""
     words = in_macros(units)
     pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
-    return pending + [d for unit in units for d in unit.declarations if isinstance(d, ccode.Variable) and d.name in words]
+    pending += [d for unit in units for d in unit.declarations if isinstance(d, ccode.Variable) and d.name in words]
+    return pending + [function for unit in units for function in all_of_kind(unit, ccode.Function) if _is_called_unseen(function)]
+
+
+_UNSEEN = re.compile(r"(?:^|[\s:*&])(?:(\w+)::(?:~?\1\b)|operator\b|~)")
+"""Matches the signatures of constructors and destructors that are defined outside of their class, and of operators."""
+
+
+def _is_called_unseen(function: ccode.Function) -> bool:
+    """Whether a function with a body runs without a call of its name: a constructor, a destructor, an operator, a virtual one."""
+    record = function.eContainer()
+    constructs = isinstance(record, ccode.Record) and function.name == record.name
+    unseen = constructs or function.virtual or _UNSEEN.search(str(function.signature).partition("(")[0])
+    return function.body is not None and bool(unseen)
 
 
 def what_is_defined(units: Iterable[ccode.SourceUnit]) -> dict[str, ccode.Declaration]:
@@ -60,7 +73,7 @@ def what_is_defined(units: Iterable[ccode.SourceUnit]) -> dict[str, ccode.Declar
 def leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iterator[Element]:
     """The functions and variables that an element names; of those that several files declare, the definition."""
     if isinstance(element, ccode.Call):
-        callee = defined.get(str(element.calleeName))
+        callee = defined.get(str(element.calleeName)) or (element.callee if _has_body(element.callee) else None)
         if callee is not None:
             yield callee
     elif isinstance(element, ccode.NameReference):
@@ -69,6 +82,10 @@ def leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iter
             yield defined.get(str(target.name), target)
         elif isinstance(target, ccode.Variable) and is_global(target):
             yield target if target.storage.name == "staticStorage" else defined.get(str(target.name), target)
+
+
+def _has_body(function: ccode.Function | None) -> bool:
+    return function is not None and function.body is not None
 
 
 def identity(variable: ccode.Variable) -> int | str:

@@ -155,9 +155,34 @@ def _stays(variable: ccode.Variable, assigned: bool) -> str:
         return f"the size of '{variable.name}' is not constant"
     if use is not None and assigned and use.arrayDims:
         return f"the array '{variable.name}' has values that are not constant, or gets new ones"
+    if assigned and use is not None and ("&" in use.spelling or "auto" in use.spelling.split()):
+        return f"'{variable.name}' is declared with '{use.spelling}' and needs its value there"
+    constructed = isinstance(variable.initializer, ccode.ConstructorCall) or (
+        not _is_pointer(variable) and _needs_values(declared)
+    )
+    if assigned and constructed:
+        return f"'{variable.name}' is an object that is constructed with values which are not constant"
     if declared is not None and ancestor_of_kind(declared, ccode.Function) is not None:
         return f"the type of '{variable.name}' is declared in main"
     return ""
+
+
+def _is_pointer(variable: ccode.Variable) -> bool:
+    return variable.valueType is not None and bool(variable.valueType.pointerDepth)
+
+
+def _needs_values(declared: ccode.Declaration | None) -> bool:
+    """Whether objects of a type cannot be constructed without values: no constructor of it may be called without any."""
+    if not isinstance(declared, ccode.Record):
+        return False
+    constructors = [m for m in declared.methods if m.name == declared.name]
+    return bool(constructors) and not any(_without_values(m) for m in constructors)
+
+
+def _without_values(constructor: ccode.Function) -> bool:
+    """Whether a constructor may be called without values, since each of its parameters has one by default."""
+    written = str(constructor.signature).partition("(")[2]
+    return not constructor.parameters or written.count("=") >= len(constructor.parameters)
 
 
 def _needs_macro(variable: ccode.Variable, assigned: bool, around: Surroundings) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise, takewhile
 
 from msgspec.structs import replace
 
@@ -15,7 +16,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.t2m.c_source import types
 from robosmi.transformations.t2m.c_source.context import DeclarationBuilder, UnitContext
-from robosmi.transformations.t2m.c_source.expressions import expression
+from robosmi.transformations.t2m.c_source.expressions import constructs, expression, operands
 from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
@@ -26,6 +27,11 @@ PARAMETER, COMPOUND, TRY, FIELD, LITERAL, TYPE_REF = (
     cursor_kinds.FIELD_DECL,
     cursor_kinds.ENUM_CONSTANT_DECL,
     cursor_kinds.TYPE_REF,
+)
+TEMPLATE_PARAMETERS = (
+    cursor_kinds.TEMPLATE_TYPE_PARAMETER,
+    cursor_kinds.TEMPLATE_NON_TYPE_PARAMETER,
+    cursor_kinds.TEMPLATE_TEMPLATE_PARAMETER,
 )
 
 
@@ -120,7 +126,7 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
         context.lib.getCursorResultType(node.cursor),
     )
     of_value = 0 <= close < len(context.tokens) - 1 and context.tokens[close + 1][3] == ")"  # a pointer to a function is given
-    parameters = [_parameter(context, c) for c in node.children if c.kind == PARAMETER and not (of_value and c.start >= end)]
+    parameters = [parameter(context, c) for c in node.children if c.kind == PARAMETER and not (of_value and c.start >= end)]
     body = next((c for c in node.children if c.kind in (COMPOUND, TRY)), None)
     element = ccode.Function(
         name=name,
@@ -132,10 +138,56 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
         returnType=result,
         parameters=parameters,
         body=context.builders.block(context, body) if body is not None else None,
+        initializers=_member_initializers(context, node) if node.kind == cursor_kinds.CONSTRUCTOR else [],
+        templateParameters=_template_parameters(context, node),
         **context.source.place(node.start, node.end),
     )
+    if node.kind == cursor_kinds.CXX_METHOD:
+        words = [token[3] for token in context.tokens[context.token_at(node.start) : context.token_at(node.end)]]
+        element.virtual = words[:1] == ["virtual"] or None
+        element.pure = (element.virtual and words[-2:] == ["=", "0"]) or None
     context.register(node.cursor, element)
     return element
+
+
+def _member_initializers(context: UnitContext, node: Node) -> list[ccode.MemberInitializer]:
+    """What stands between the colon and the body of a constructor: each member or base class with what it is given."""
+    found: list[ccode.MemberInitializer] = []
+    for named, value in pairwise(c for c in node.children if c.kind != PARAMETER):
+        if named.kind in (TYPE_REF, cursor_kinds.MEMBER_REF) and value.kind in cursor_kinds.EXPRESSIONS:
+            made = value.kind == cursor_kinds.CALL_EXPR and constructs(context, value)
+            given = [c for c in operands(value) if c.end > c.start] if made else [value]
+            found.append(
+                ccode.MemberInitializer(
+                    name=context.text(named),
+                    arguments=[expression(context, each) for each in given],
+                    **context.source.place(named.start, value.end),
+                )
+            )
+    return found
+
+
+def _template_parameters(context: UnitContext, node: Node) -> list[ccode.TemplateParameter]:
+    """The parameters of a template, which come before all else below its cursor; none for what is no template."""
+    found: list[ccode.TemplateParameter] = []
+    for child in takewhile(lambda c: c.kind in TEMPLATE_PARAMETERS, node.children):
+        at = context.name_offset(child.cursor)
+        kind = default = None
+        if child.kind == cursor_kinds.TEMPLATE_NON_TYPE_PARAMETER:
+            stop = at if at >= 0 else child.end
+            spec = types.specifiers(context, child.start, stop)
+            pointer, dims, depth, _ = types.declarator(context, spec, stop)
+            kind = types.type_use(context, child.cursor, spec, pointer, dims, depth)
+            default = next((expression(context, c) for c in child.children if c.kind in cursor_kinds.EXPRESSIONS), None)
+        parameter = ccode.TemplateParameter(
+            name=context.spelling(child.cursor),
+            valueType=kind,
+            defaultValue=default,
+            **context.source.place(child.start, child.end),
+        )
+        context.register(child.cursor, parameter)
+        found.append(parameter)
+    return found
 
 
 def _signature_text(context: UnitContext, spec: types.Specifiers, stop: int, end: int) -> str:
@@ -155,7 +207,8 @@ def _signature_text(context: UnitContext, spec: types.Specifiers, stop: int, end
     return " ".join(text.split())
 
 
-def _parameter(context: UnitContext, node: Node) -> ccode.Parameter:
+def parameter(context: UnitContext, node: Node) -> ccode.Parameter:
+    """A parameter of a function or a lambda."""
     at = context.name_offset(node.cursor)
     name = context.spelling(node.cursor)
     stop = at if at >= 0 and name else node.end
@@ -164,7 +217,14 @@ def _parameter(context: UnitContext, node: Node) -> ccode.Parameter:
     if at >= 0:
         context.declarators.add(at)
     use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
-    element = ccode.Parameter(name=name or None, valueType=use, **context.source.place(node.start, node.end))
+    value = next((c for c in reversed(node.children) if c.kind in cursor_kinds.EXPRESSIONS), None)
+    given = value is not None and at >= 0 and context.tokens[context.token_before(value.start)][3] == "="
+    element = ccode.Parameter(
+        name=name or None,
+        valueType=use,
+        defaultValue=expression(context, value) if value is not None and given else None,
+        **context.source.place(node.start, node.end),
+    )
     context.register(node.cursor, element)
     return element
 
@@ -185,7 +245,10 @@ def _variable(context: UnitContext, node: Node, start: int | None = None) -> cco
             (c for c in reversed(node.children) if c.kind in cursor_kinds.EXPRESSIONS and (c.start >= begin or c.from_macro)),
             None,
         )
-        if value is not None:
+        called = node.children[-1] if node.children and context.source.language == "C++" else None
+        if called is not None and called.kind == cursor_kinds.CALL_EXPR and called.start == at and not assigned:
+            initial = expression(context, called)  # Lamp lamp(8);
+        elif value is not None:
             initial = expression(context, value)
         elif assigned:
             start, end = _lost_initializer(context, after)
@@ -227,7 +290,26 @@ def _typedef(context: UnitContext, node: Node) -> ccode.Declaration:
     return element
 
 
+def _alias(context: UnitContext, node: Node) -> ccode.Declaration:
+    """`using Name = type;`, which is a typedef in another order."""
+    name = context.token_at(context.name_offset(node.cursor))
+    equals = next((i for i in range(name, len(context.tokens)) if context.tokens[i][3] == "="), name)
+    use = types.written_type(context, context.tokens[equals][2], node.end, context.lib.getCursorType(node.cursor))
+    element = ccode.Typedef(name=context.spelling(node.cursor), aliased=use, **context.source.place(node.start, node.end))
+    context.register(node.cursor, element)
+    return element
+
+
+def _base(context: UnitContext, node: Node) -> ccode.TypeUse:
+    """A base class, without `public` and the like."""
+    named = next((c for c in node.children if c.kind in (TYPE_REF, cursor_kinds.TEMPLATE_REF)), node)
+    return types.written_type(context, named.start, node.end, context.lib.getCursorType(node.cursor))
+
+
 def _record(context: UnitContext, node: Node) -> ccode.Declaration:
+    parameters = _template_parameters(context, node)
+    for friend in (c for c in node.children if c.kind == cursor_kinds.FRIEND_DECL):  # a declaration that looks like a call
+        context.declarators.update(context.name_offset(c.cursor) for c in friend.children)
     fields = [_field(context, c) for c in node.children if c.kind == FIELD]
     methods = [
         m
@@ -249,11 +331,26 @@ def _record(context: UnitContext, node: Node) -> ccode.Declaration:
     element = ccode.Record(
         name=_tag(context, node),
         recordKind=enum_literal(ccode.RecordKind, kind),
+        bases=[_base(context, c) for c in node.children if c.kind == cursor_kinds.CXX_BASE_SPECIFIER],
+        templateParameters=parameters,
         fields=fields,
+        staticMembers=[
+            m
+            for c in node.children
+            if c.kind == cursor_kinds.VAR_DECL and isinstance(m := _static_member(context, c), ccode.Variable)
+        ],
         methods=methods,
         **context.source.place(node.start, node.end),
     )
     context.register(node.cursor, element)
+    return element
+
+
+def _static_member(context: UnitContext, node: Node) -> ccode.Declaration:
+    """A static data member; names mean its definition outside of the class if it has no value here."""
+    element = _variable(context, node)
+    if isinstance(element, ccode.Variable) and element.initializer is None:
+        del context.declared[context.pointer(node.cursor)]
     return element
 
 
@@ -285,13 +382,20 @@ def _field(context: UnitContext, node: Node) -> ccode.Field:
     at = context.name_offset(node.cursor)
     stop = at if at >= 0 else node.end
     spec = types.specifiers(context, node.start, stop)
-    pointer, dims, depth, _ = types.declarator(context, spec, stop)
+    pointer, dims, depth, after = types.declarator(context, spec, stop)
     context.declarators.add(at)
     width = context.lib.getFieldDeclBitWidth(node.cursor)
     use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
     name = context.spelling(node.cursor)
+    written = width <= 0 and at >= 0 and after < len(context.tokens) and context.tokens[after][3] in ("=", "{")
+    begin = context.tokens[after][1] if written else node.end
+    value = next((c for c in reversed(node.children) if c.kind in cursor_kinds.EXPRESSIONS and c.start >= begin), None)
     element = ccode.Field(
-        name=name or None, valueType=use, bitWidth=width if width > 0 else None, **context.source.place(node.start, node.end)
+        name=name or None,
+        valueType=use,
+        bitWidth=width if width > 0 else None,
+        initializer=expression(context, value) if value is not None else None,
+        **context.source.place(node.start, node.end),
     )
     context.register(node.cursor, element)
     return element
@@ -328,6 +432,7 @@ BUILDERS: Mapping[int, DeclarationBuilder] = {
     cursor_kinds.FUNCTION_DECL: _function,
     cursor_kinds.VAR_DECL: _variable,
     cursor_kinds.TYPEDEF_DECL: _typedef,
+    cursor_kinds.TYPE_ALIAS_DECL: _alias,
     cursor_kinds.CXX_METHOD: _function,
     cursor_kinds.NAMESPACE: _namespace,
     cursor_kinds.CONSTRUCTOR: _function,

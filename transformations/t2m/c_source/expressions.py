@@ -129,6 +129,21 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
     return element
 
 
+def constructs(context: UnitContext, node: Node) -> bool:
+    """Whether a call's cursor constructs an object."""
+    return context.lib.getCursorReferenced(node.cursor).kind == cursor_kinds.CONSTRUCTOR
+
+
+def constructor_call(context: UnitContext, node: Node) -> ccode.ConstructorCall:
+    """The construction of an object: `Lamp(8)`, `Lamp{8}`, or what follows the name in `Lamp lamp(8);`."""
+    context.covered.add(types.last_of_name(context, node.start, node.end))
+    return ccode.ConstructorCall(
+        className=context.spelling(node.cursor),
+        arguments=[expression(context, child) for child in operands(node) if child.end > child.start],
+        **context.source.place(node.start, node.end),
+    )
+
+
 def _called(context: UnitContext, callee: Node) -> Cursor:
     """The declaration of a called function, for an instance of a template the template."""
     referenced = context.lib.getCursorReferenced(callee.cursor)

@@ -4,7 +4,7 @@ Also: builders of what C++ has beyond C, as far as the metamodel `ccode` can say
 
 Classes become records with methods, templates what they are a template of, `extern "C"` blocks their declarations, `try` a block
 with its handlers, `new`, `delete` and `throw` unary operators, a call of an overloaded operator the operation that the text has.
-What has no form in the metamodel (a lambda, a structured binding) stays text, and its calls are listed as unresolved.
+What has no form in the metamodel (a structured binding) stays text, and its calls are listed as unresolved.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import declarations, expressions, statements, types
 from robosmi.transformations.t2m.c_source.context import Builders, ExpressionBuilder, StatementBuilder, UnitContext
-from robosmi.transformations.t2m.c_source.expressions import CALL, call, expression, operands
+from robosmi.transformations.t2m.c_source.expressions import CALL, call, constructor_call, constructs, expression, operands
 from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.tree import Node
 from robosmi.transformations.t2m.c_source.statements import statement
@@ -32,6 +32,10 @@ def _named_cast(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if not children:
         return None
+    if node.kind == cursor_kinds.CXX_FUNCTIONAL_CAST_EXPR:  # Pin(8) looks like a call
+        context.covered.add(types.last_of_name(context, node.start, node.end))
+        if children[-1].kind == CALL and constructs(context, children[-1]):
+            return constructor_call(context, children[-1])
     return ccode.Cast(operand=expression(context, children[-1]), **context.source.place(node.start, node.end))
 
 
@@ -56,10 +60,25 @@ def _call(context: UnitContext, node: Node) -> ccode.Expression:
     if context.source.language == "C++":
         if len(children) == 1 and (children[0].start, children[0].end) == (node.start, node.end):
             return expression(context, children[0])  # a constructor that the text does not name
+        if constructs(context, node):
+            return constructor_call(context, node)
         children = [c for c in children if not _is_call_operator(context, c)]
         if (operation := _overloaded(context, node)) is not None:
             return operation
     return call(context, node, children)
+
+
+def _lambda(context: UnitContext, node: Node) -> ccode.Expression | None:
+    """A lambda: its text, its parameters, and what its body does."""
+    body = next((child for child in node.children if child.kind == cursor_kinds.COMPOUND_STMT), None)
+    if body is None:
+        return None
+    return ccode.Lambda(
+        text=context.text(node),
+        parameters=[declarations.parameter(context, child) for child in node.children if child.kind == cursor_kinds.PARM_DECL],
+        body=context.builders.block(context, body),
+        **context.source.place(node.start, node.end),
+    )
 
 
 def _is_call_operator(context: UnitContext, node: Node) -> bool:
@@ -140,6 +159,7 @@ EXPRESSIONS: Mapping[int, ExpressionBuilder] = {
     cursor_kinds.CXX_THROW_EXPR: _word("throw"),
     cursor_kinds.CXX_NEW_EXPR: _word("new"),
     cursor_kinds.CXX_DELETE_EXPR: _word("delete"),
+    cursor_kinds.LAMBDA_EXPR: _lambda,
 }
 """CXCursorKind -> builder, for expressions that C lacks or builds differently."""
 

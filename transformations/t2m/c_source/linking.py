@@ -261,9 +261,9 @@ def _values_of_headers(
 
 def _types(context: UnitContext) -> dict[tuple[str, bool], ccode.Declaration]:
     """The types that a unit declares, by (name, whether it is a tag)."""
-    kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
+    kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration, ccode.TemplateParameter)
     found = (d for d in context.declared.values() if isinstance(d, kinds) and d.name)
-    return {(str(d.name), not isinstance(d, ccode.Typedef)): d for d in found}
+    return {(str(d.name), not isinstance(d, (ccode.Typedef, ccode.TemplateParameter))): d for d in found}
 
 
 def _type_headers(context: UnitContext) -> dict[str, str]:

@@ -31,7 +31,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.on_demand_unit import Linked, Unit, in_building_order
 from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
-from robosmi.transformations.t2m.c_source.parsing.sources import source_files
+from robosmi.transformations.t2m.c_source.parsing.sources import is_cplusplus_program, source_files
 
 LEAVES = {
     cursor_kinds.DECL_REF_EXPR: ccode.NameReference,
@@ -89,7 +89,8 @@ class OnDemandProgram(TypedModel):
         self._units: list[Unit] = []
         for file in files:
             try:
-                self._units.append(Unit(file.path, api, file.include_dirs, file.defines, self._link, self.program))
+                cplusplus = is_cplusplus_program(files)
+                self._units.append(Unit(file.path, api, file.include_dirs, file.defines, self._link, self.program, cplusplus))
             except SourceError:  # of a folder what is no text is left out
                 if file.given or (file is files[-1] and not self._units):
                     raise

@@ -87,6 +87,7 @@ class Unit:
         defines: macros from outside.
         link: finds the value of a cross reference of an element.
         program: the program's element.
+        cplusplus: whether the program's headers are C++.
 
     Raises:
         SourceError: the file is not there, or is no text.
@@ -100,9 +101,10 @@ class Unit:
         defines: Sequence[str],
         link: Callable[[Unit, Element, EStructuralFeature], Linked],
         program: ccode.Program,
+        cplusplus: bool = False,
     ) -> None:
         self._api, self._folders, self._defines, self._link_of = api, list(folders), list(defines), link
-        self._source = source = read_source(path)
+        self._source = source = read_source(path, cplusplus)
         self._parsed: Parsed | None = None
         self._cursors: dict[int, Cursor | None] = {}
         self._counted = -1

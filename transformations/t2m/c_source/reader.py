@@ -29,7 +29,7 @@ from robosmi.transformations.t2m.c_source.parsing import checks
 from robosmi.transformations.t2m.c_source.parsing.headers import guarded
 from robosmi.transformations.t2m.c_source.parsing.included_before import included_before
 from robosmi.transformations.t2m.c_source.parsing.source import read_source
-from robosmi.transformations.t2m.c_source.parsing.sources import Compiled, source_files
+from robosmi.transformations.t2m.c_source.parsing.sources import Compiled, is_cplusplus_program, source_files
 from robosmi.transformations.t2m.c_source.parsing.translation_unit import parse
 
 PathLike = str | os.PathLike[str]
@@ -105,10 +105,11 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
     """
     units: list[ccode.SourceUnit] = []
     left_out: list[Finding] = []
+    cplusplus = is_cplusplus_program(files)
     for file in files:
         try:
-            units.append(_unit(file.path, api, file.include_dirs, file.defines, contexts))
-            _again_behind_others(file, api, contexts, units)
+            units.append(_unit(file.path, api, file.include_dirs, file.defines, contexts, cplusplus=cplusplus))
+            _again_behind_others(file, api, contexts, units, cplusplus)
         except SourceError as error:
             if file.given or (file is files[-1] and not units):
                 raise
@@ -119,14 +120,16 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
     return units, left_out
 
 
-def _again_behind_others(file: Compiled, api: ApiIndex, contexts: list[UnitContext], units: list[ccode.SourceUnit]) -> None:
+def _again_behind_others(
+    file: Compiled, api: ApiIndex, contexts: list[UnitContext], units: list[ccode.SourceUnit], cplusplus: bool
+) -> None:
     """Parse the last file again after the headers that are included before it, if less of its text is lost that way."""
     lost = _lost(contexts[-1])
     before = included_before(file.path, units[:-1]) if lost else []
     if not before:
         return
     others: list[UnitContext] = []
-    unit = _unit(file.path, api, file.include_dirs, file.defines, others, before)
+    unit = _unit(file.path, api, file.include_dirs, file.defines, others, before, cplusplus)
     if _lost(others[-1]) < lost:
         units[-1], contexts[-1], others[-1] = unit, others[-1], contexts[-1]
     _close(others)
@@ -167,8 +170,9 @@ def _unit(
     defines: Sequence[str],
     contexts: list[UnitContext],
     before: Sequence[str] = (),
+    cplusplus: bool = False,
 ) -> ccode.SourceUnit:
-    source = read_source(path)
+    source = read_source(path, cplusplus)
     parsed = parse(source, api, folders, defines, before)
     if parsed is None:
         raise SourceError(

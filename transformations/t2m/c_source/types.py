@@ -76,6 +76,10 @@ def specifiers(context: UnitContext, offset: int, stop: int) -> Specifiers:
         if text == "template" and not words:
             i = _behind_template(context, i)
             continue
+        if text == "auto" and cxx:
+            words.append(text)
+            start, seen, i = (begin if start < 0 else start), True, i + 1
+            continue
         if text in STORAGE_WORDS or text in context.attribute_macros or (text in STORAGE_WORDS_OF_CXX and cxx):
             i += 1
             continue

@@ -67,7 +67,7 @@ def try_sequences(trials: Trials, inputs: Sequence[ScenarioInput], chance: rando
     Those are needed since a state shows in what follows it: a lock that is not locked again opens too soon.
     """
     events: list[Event] = [(each, value) for each in inputs for value in each.values if value is not None and value != each.rest]
-    if len(events) < 2 or not any(each.happens or _is_let_go(each) for each in inputs):
+    if len(events) < 2 or not any(each.happens or is_let_go(each) for each in inputs):
         return  # what is shown all the time is tried in other ways
     nearest: dict[tuple[int, bool], float] = {}
     grown: list[list[Event]] = [[]]
@@ -112,7 +112,7 @@ def in_sequence(events: Sequence[Event], slower: int = 1) -> tuple[Signals, floa
     at_ms = FIRST_TEXT_MS
     for each, value in events:
         lasts = (_PRESS_MS if each.is_contact else each.hold_ms) * slower
-        rests = _is_let_go(each)
+        rests = is_let_go(each)
         points: Points = ((at_ms, value), (at_ms + lasts, each.rest)) if rests else ((at_ms, value),)
         settings = signals.setdefault(each.name, {})
         settings[each.setting] = (*settings.get(each.setting, ()), *points)
@@ -120,7 +120,7 @@ def in_sequence(events: Sequence[Event], slower: int = 1) -> tuple[Signals, floa
     return signals, at_ms
 
 
-def _is_let_go(each: ScenarioInput) -> bool:
+def is_let_go(each: ScenarioInput) -> bool:
     """Whether a device is pressed and let go, as a button and the keys of a matrix."""
     return each.is_contact or None in each.values
 

@@ -19,9 +19,10 @@ from robosmi.transformations.verification.original_side import ChannelEvents, Pl
 from robosmi.verify.traces.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 
 THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
+UNDISTURBED = "undisturbed"
 VALUE = "value"
 """First item of places that are no goals, but show which way a program takes."""
-GOALS = (THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE)
+GOALS = (THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE, UNDISTURBED)
 """First items of goals that are no places of the source."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _LARGEST = 32767

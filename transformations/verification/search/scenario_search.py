@@ -32,6 +32,7 @@ from robosmi.transformations.verification.search.threshold_search import (
     try_numbers,
     with_thresholds,
 )
+from robosmi.transformations.verification.search.undisturbed_search import try_undisturbed
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario
 
@@ -90,6 +91,7 @@ def search(
             try_numbers(made, each, numbers)
     chance = random.Random(seed)
     try_sequences(made, inputs, chance)
+    try_undisturbed(made, inputs)
     inputs = [with_thresholds(made, each.with_ends()) for each in inputs]
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
         made.try_signals(random_signals(inputs, made.horizon, chance))

@@ -365,8 +365,22 @@ static uint8_t cogs_running = 1;
 //#   ram: 4
 static uint32_t held_up = 0;
 
+//# helper cog_pins
+//#   needs: COG_SLOTS hal/Io
+//#   fidelity: which pins each cog drives; what is an output when the first cog starts is main's
+//#   ram: 6
+static uint8_t cog_pins[COG_SLOTS + 1][(NUM_DIGITAL_PINS + 7) / 8];
+
+inline void cog_pins_begin() {
+  if (cog_pins_now) return;
+  cog_pins_now = cog_pins[0];
+  for (uint8_t pin = 0; pin < NUM_DIGITAL_PINS; pin++) {
+    if (Io(pin).driven()) cog_pins[0][pin >> 3] |= 1 << (pin & 7);
+  }
+}
+
 //# helper yield
-//#   needs: cog_table cogs_running held_up COG_SLOTS hal/cog_switch hal/cog_overflow hal/cog_heap hal/cog_frame hal/stack_pointer
+//#   needs: COG_SLOTS cog_pins hal/Io cog_table cogs_running held_up hal/cog_switch hal/cog_overflow hal/cog_heap hal/cog_frame hal/stack_pointer
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
 //#   stack: 65
 extern "C" inline __attribute__((used)) void yield() {
@@ -379,6 +393,7 @@ extern "C" inline __attribute__((used)) void yield() {
   while (to != from && !(cogs_running >> to & 1));
   if (to == from) return;
   cog_table.now = to;
+  cog_pins_now = cog_pins[to];
   cog_heap(!from, !to);
   uint32_t mine = held_up;
   cog_switch(&cog_table.saved[from], cog_table.saved[to]);
@@ -386,12 +401,29 @@ extern "C" inline __attribute__((used)) void yield() {
   held_up = mine;
 }
 
+//# helper cog_release
+//#   needs: COG_SLOTS cog_pins hal/Io
+//#   fidelity: pins that only this cog drove become inputs; a pin that another cog drives, too, keeps its level
+inline void cog_release(uint8_t number) {
+  for (uint8_t pin = 0; pin < NUM_DIGITAL_PINS; pin++) {
+    uint8_t at = pin >> 3, bit = 1 << (pin & 7), others = 0;
+    if (!(cog_pins[number][at] & bit)) continue;
+    cog_pins[number][at] &= ~bit;
+    for (uint8_t cog = 0; cog <= COG_SLOTS; cog++) others |= cog_pins[cog][at] & bit;
+    if (others) continue;
+    Io io(pin);
+    io.drive(false);
+    io.set(false);
+  }
+}
+
 //# helper cog_stop
-//#   needs: cog_table cogs_running yield COG_SLOTS
+//#   needs: cog_table cogs_running yield cog_release COG_SLOTS
 //#   fidelity: a cog that stops itself does not come back
 inline void cog_stop(int32_t number) {
   if (number < 0 || number > COG_SLOTS) return;
   cogs_running &= ~(1 << number);
+  cog_release(number);
   while (!(cogs_running >> cog_table.now & 1)) yield();
 }
 
@@ -406,12 +438,13 @@ inline void cog_main() {
 }
 
 //# helper cog_begin
-//#   needs: cog_table cogs_running cog_main COG_SLOTS hal/cog_frame
+//#   needs: cog_table cogs_running cog_main cog_pins COG_SLOTS hal/cog_frame
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
   uint8_t *stack = cog_table.stack[number - 1];
   memset(stack, COG_PAINT, COG_STACK + cog_room);
+  cog_pins_begin();
   cog_table.saved[number] = cog_frame(stack + COG_STACK + cog_room, cog_main);
   cog_table.code[number] = code;
   cog_table.parameter[number] = parameter;
@@ -466,8 +499,7 @@ inline int32_t cogid() {
 //#   for: void cogstop(int cogid)
 //#   kind: semantic
 //#   needs: cog_stop
-//#   fidelity: exact; pins stay as the cog left them
-//#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+//#   fidelity: exact
 //#   stack: 69 65
 inline void cogstop(int32_t cogid) {
   cog_stop(cogid);
@@ -576,8 +608,7 @@ inline int32_t __builtin_propeller_cogid() {
 //#   for: void __builtin_propeller_cogstop(int cogid)
 //#   kind: oneToOne
 //#   needs: cogstop
-//#   fidelity: exact; pins stay as the cog left them
-//#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+//#   fidelity: exact
 //#   stack: 69 65
 inline void __builtin_propeller_cogstop(int32_t cogid) {
   cogstop(cogid);

@@ -1213,7 +1213,6 @@ inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
 //#   kind: semantic
 //#   needs: propeller.h/cog_stop
 //#   fidelity: exact; nothing happens where no cog was started
-//#   limit: pins that only this cog drove go on being driven; there they become inputs
 //#   stack: 69 65
 template <class Number>
 inline void cog_end(Number *coginfo) {

@@ -53,8 +53,9 @@ def test_calls_of_cplusplus(robot: ccode.Program) -> None:
     words = {str(u.operator) for u in all_of_kind(robot, ccode.Unary)}
     assert {"new", "delete"} <= words
     unit = robot.units[0]
-    assert [str(u.name) for u in unit.unresolved] == ["high"], "what a lambda does is listed, not dropped"
-    assert int(unit.callsInText) == int(unit.callsInModel) + 1
+    assert list(unit.unresolved) == []
+    assert "high" in names, "what a lambda does is in the model"
+    assert int(unit.callsInText) == int(unit.callsInModel)
 
 
 def test_a_sketch() -> None:

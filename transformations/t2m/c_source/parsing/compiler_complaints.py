@@ -32,6 +32,7 @@ _SURE = re.compile(
     |invalid\ operands\ to\ binary\ expression|void\ function\ {_NAMED}\ should\ not\ return
     |non-void\ function\ {_NAMED}\ should\ return
     |called\ object\ type\ {_NAMED}\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
+    |.*\ (?:is|are)\ (?:a\ )?C\+\+17\ extensions?
     |conversion\ from\ {_NAMED}\ to\ {_NAMED}\ is\ not\ allowed""",
     re.VERBOSE,
 )

@@ -11,7 +11,7 @@ import weakref
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from robosmi.transformations.knowledge.lexer import tokens
-from robosmi.transformations.queries.source_text import ADAPTERS_FILE
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE, HEADERS
 from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts, shallow
 
@@ -28,9 +28,12 @@ _STUB = "/none/types"
 SKETCH = "/none/sketch"
 """The folder of the program's own files, which exists on no machine either."""
 _FLAGS = (
-    "-target", "avr", "-nostdinc", "-nostdinc++", "-w", "-ferror-limit=0", "-fno-spell-checking", f"-I{SKETCH}", f"-I{_STUB}",
+    "-target", "avr", "-nostdinc", "-nostdinc++", "-Wno-everything", "-ferror-limit=0", "-fno-spell-checking",
+    f"-I{SKETCH}", f"-I{_STUB}",
 )  # fmt: skip
-_LANGUAGE = {"C": ("-xc", "-std=gnu11"), "C++": ("-xc++", "-std=gnu++11", "-nostdinc++", "-fpermissive")}
+_NEWER = ("-Werror=c++17-extensions", "-Wno-error=c++17-attribute-extensions")
+"""What the compilers of the targets refuse in the standard that is given to them, and libclang only warns of."""
+_LANGUAGE = {"C": ("-xc", "-std=gnu11"), "C++": ("-xc++", "-std=gnu++11", "-nostdinc++", "-fpermissive", *_NEWER)}
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 _BODIES = re.compile(
     rb"^((?:static )?inline (?>[^\n]*?\)(?= \{))) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE
@@ -80,7 +83,7 @@ class GeneratedProgram:
         own = _OF_CPP if language == "C++" else _OF_C
         named = "".join(f"extern const uint8_t {pin};\n" for pin in sorted(pins)).encode()
         self.texts[f"{_STUB}/{main_header}"] = _TYPES % (b"bool" if language == "C++" else b"_Bool") + own + named
-        self._flags, self._header = (*_LANGUAGE[language], *_FLAGS), f"{_STUB}/{main_header}"
+        self._flags, self._header = (*_FLAGS, *_LANGUAGE[language]), f"{_STUB}/{main_header}"
         self.unread: list[str] = []
         self.units = self._parsed(self._flags)
         self._handles = [unit for _, unit in self.units]
@@ -101,7 +104,7 @@ class GeneratedProgram:
 
     def _parsed(self, flags: Sequence[str]) -> list[tuple[str, int]]:
         virtual = clang.unsaved(self.texts)
-        names = [name for name in self.files if not name.endswith(".h")]
+        names = [name for name in self.files if not name.lower().endswith(HEADERS)]
         if self._vast or any(_nests_too_deep(path, text) for path, text in self.texts.items()):
             self.unread = names  # libclang would overrun its stack or memory
             return []

@@ -75,8 +75,9 @@ def own_nodes(program: GeneratedProgram, unit: int) -> list[GeneratedNode]:
 
     def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
         raw = bytes(parent)
-        while stack[-1].raw != raw:
-            stack.pop()
+        if stack[-1].raw != raw and any(above.raw == raw for above in stack):  # a lambda's captures have a parent not visited
+            while stack[-1].raw != raw:
+                stack.pop()
         node = GeneratedNode(cursor.kind, bytes(cursor))
         owner = stack[-1]
         if owner.children is _LEAF:

@@ -51,6 +51,7 @@ class ReadSource(Struct):
         digest: SHA-256 of the file, hexadecimal.
         size: length of the file in bytes.
         tokens: tokens, comments and directives in text order; but for names, one character is one byte.
+        cplusplus: whether a header whose name fits both languages is of C++.
     """
 
     path: str
@@ -62,11 +63,12 @@ class ReadSource(Struct):
     tokens: list[Token] = []
     _lines: list[int] = []
     _codec: str = "utf-8"
+    cplusplus: bool = False
 
     @property
     def language(self) -> str:
-        """`C` or `C++`, by the file's name."""
-        return "C++" if self.path.endswith(CPLUSPLUS) else "C"
+        """`C` or `C++`, by the file's name, of a header also by the program that includes it."""
+        return "C++" if is_cplusplus(self.path) or (self.cplusplus and self.path.endswith(".h")) else "C"
 
     def text(self, start: int, end: int) -> str:
         """The text between two offsets."""
@@ -98,8 +100,17 @@ class ReadSource(Struct):
         return Location(self.path, place["line"], place["column"], place["endLine"], place["endColumn"])
 
 
-def read_source(path: str | os.PathLike[str]) -> ReadSource:
+def is_cplusplus(path: str) -> bool:
+    """Whether a file is C++ by its name."""
+    return path.endswith(CPLUSPLUS)
+
+
+def read_source(path: str | os.PathLike[str], cplusplus: bool = False) -> ReadSource:
     """Read and tokenise a file.
+
+    Args:
+        path: the file.
+        cplusplus: whether it belongs to a program without C sources, so that a header is C++.
 
     Raises:
         SourceError: it does not exist, cannot be read, is a folder, is no text or is too large.
@@ -108,7 +119,7 @@ def read_source(path: str | os.PathLike[str]) -> ReadSource:
     raw = _bytes(name)
     place = Location(name)
     data, encoding, codec = _decode(raw)
-    source = ReadSource(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
+    source = ReadSource(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec, cplusplus=cplusplus)
     if codec != "utf-8":
         mark = codecs.BOM_UTF8 if data.startswith(codecs.BOM_UTF8) else b""  # an editor's, before bytes of another encoding
         source.parsed = mark + bytes(byte if byte < 128 else 63 for byte in data[len(mark) :])

@@ -16,6 +16,8 @@ from robosmi import inputs
 from robosmi.base.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
+from robosmi.transformations.queries.source_text import HEADERS
+from robosmi.transformations.t2m.c_source.parsing.source import is_cplusplus
 
 ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".C")
 COMMANDS = "compile_commands.json"
@@ -61,6 +63,12 @@ def source_files(
                 raise UsageError(f"'{file.path}' is given twice", fix="give each source file once")
             found.setdefault(key, file)
     return list(found.values())
+
+
+def is_cplusplus_program(files: Sequence[Compiled]) -> bool:
+    """Whether a program has C++ sources and none in C, so that its headers are C++."""
+    sources = [file.path for file in files if not file.path.lower().endswith(HEADERS)]
+    return any(map(is_cplusplus, sources)) and all(map(is_cplusplus, sources))
 
 
 def _of_folder(folder: str) -> list[str]:

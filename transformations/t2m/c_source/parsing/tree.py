@@ -194,9 +194,10 @@ class TreeReader:
         def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             try:
                 raw = bytes(parent)
-                while stack[-1].raw != raw:
-                    stack.pop()
-                owner = stack[-1]
+                if stack[-1].raw != raw and any(node.raw == raw for node in stack):
+                    while stack[-1].raw != raw:
+                        stack.pop()
+                owner = stack[-1]  # a lambda's captures have a parent that was not visited
                 found = place(cursor)
                 start, end = found.begin, found.end
                 if first <= start <= end <= last:

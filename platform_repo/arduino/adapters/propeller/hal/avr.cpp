@@ -24,6 +24,7 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
 //#   ram: 3
 static uint8_t latches[(NUM_DIGITAL_PINS + 7) / 8];
+static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
 
 struct Io {  // one pin, ready for access to its registers
   uint8_t pin, mask;
@@ -55,8 +56,19 @@ struct Io {  // one pin, ready for access to its registers
     else latches[pin >> 3] &= ~bit;
     if (driven()) put(out, value);
   }
+  void own(bool output) const {  // the cog that runs drives the pin, or no longer does
+    if (!cog_pins_now) return;
+    uint8_t bit = 1 << (pin & 7);
+    if (output) cog_pins_now[pin >> 3] |= bit;
+    else cog_pins_now[pin >> 3] &= ~bit;
+  }
+  void drive_for_library() const {  // whose own cog goes on when the caller ends
+    drive(true);
+    if (wired()) own(false);
+  }
   void drive(bool output) const {
     if (!wired()) return;
+    own(output);
     if (output) {
       put(out, latch());
       put(direction, true);
@@ -599,7 +611,7 @@ inline void set_pwm_pair(uint8_t channel, const Io &io, uint32_t microseconds) {
   it.next_end = io.wired() ? pwm_counts(microseconds) : 0;
   SREG = old;
   if (moved) before.drive(false);
-  if (pwm_cycle && !same) io.drive(true);  // which would cut a pulse
+  if (pwm_cycle && !same) io.drive_for_library();  // which would cut a pulse
 }
 
 inline void begin_pwm_pair(uint32_t cycle) {
@@ -610,7 +622,7 @@ inline void begin_pwm_pair(uint32_t cycle) {
   for (volatile PwmChannel &channel : pwm_channels) {
     if (!channel.out) continue;
     channel.end = channel.next_end = pwm_counts(channel.microseconds);
-    Io(channel.pin).drive(true);
+    Io(channel.pin).drive_for_library();
   }
   TCCR1A = 0;
   TCCR1B = _BV(WGM12) | (slow ? _BV(CS11) | _BV(CS10) : _BV(CS11));  // up to OCR1A, again and again
@@ -733,7 +745,7 @@ inline void set_pwm(PwmDevice *device, uint8_t place, const Io &io, int32_t high
   if (!(device->channels & bit)) {
     digitalWrite(io.pin, LOW);
     io.set(false);
-    io.drive(true);
+    io.drive_for_library();
   }
   device->pin[place] = io.pin;
   device->out[place] = io.out;

@@ -31,6 +31,8 @@ inline void repeat(repeating_timer_t &timer, uint32_t us, repeating_timer_callba
 //# helper Io
 //#   include: <hardware/gpio.h>
 //#   fidelity: output latch and direction are independent in this chip, too. The first use of a pin makes it an input without pulls
+static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
+
 struct Io {
   uint8_t pin;
   uint32_t mask;
@@ -46,7 +48,18 @@ struct Io {
     if (value) gpio_set_mask(mask);
     else gpio_clr_mask(mask);
   }
+  void own(bool output) const {  // the cog that runs drives the pin, or no longer does
+    if (!cog_pins_now || !wired()) return;
+    uint8_t bit = 1 << (pin & 7);
+    if (output) cog_pins_now[pin >> 3] |= bit;
+    else cog_pins_now[pin >> 3] &= ~bit;
+  }
+  void drive_for_library() const {  // whose own cog goes on when the caller ends
+    drive(true);
+    own(false);
+  }
   void drive(bool output) const {
+    own(output);
     if (output) gpio_set_dir_out_masked(mask);
     else gpio_set_dir_in_masked(mask);
   }
@@ -305,7 +318,7 @@ inline void begin_pwm(PwmDevice *device, uint32_t cycle) {
   device->open = 0;
   device->runs = true;
   for (uint8_t place = 0; place < 2; place++)
-    if (device->mask[place]) Io(device->pin[place]).drive(true);
+    if (device->mask[place]) Io(device->pin[place]).drive_for_library();
   repeat(device->timer, 1, pwm_due, device);
 }
 
@@ -321,7 +334,7 @@ inline void set_pwm(PwmDevice *device, uint8_t place, const Io &io, int32_t high
   if (device->mask[place]) return;
   device->pin[place] = io.pin;
   io.set(false);
-  if (device->runs) io.drive(true);
+  if (device->runs) io.drive_for_library();
   device->mask[place] = io.mask;
 }
 

@@ -1,0 +1,8 @@
+#pragma once
+#include "simpletools.h"
+class Led {
+  int pin;
+public:
+  Led(int p) : pin(p) {}
+  void on() { high(pin); }
+};
