@@ -53,7 +53,7 @@ class HandedWiring(Protocol):
         """Files written, {path, kind}."""
 
 
-class Listed(Protocol):
+class ListedTargets(Protocol):
     """What a command lists, without findings."""
 
     @property

@@ -49,7 +49,7 @@ class KnownTarget(NamedTuple):
         }  # fmt: skip
 
 
-class Targets(NamedTuple):
+class TargetTable(NamedTuple):
     """All targets."""
 
     known: Sequence[KnownTarget]
@@ -73,7 +73,7 @@ class Targets(NamedTuple):
         return found
 
 
-def targets(project: Path | None = None) -> Targets:
+def targets(project: Path | None = None) -> TargetTable:
     """All targets of a project, by name.
 
     Args:
@@ -86,7 +86,7 @@ def targets(project: Path | None = None) -> Targets:
     tools = {name: _tools(toolchain) for name, toolchain in toolchains.items()}
     engines: list[Engine] = [content("engine", name)() for name in engine_names()]
     facts = [target_facts(name, project) for name in target_names(project)]
-    return Targets([_known(each, toolchains, tools, engines) for each in facts])
+    return TargetTable([_known(each, toolchains, tools, engines) for each in facts])
 
 
 def _tools(toolchain: Toolchain) -> str:

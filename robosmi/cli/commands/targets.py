@@ -9,7 +9,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.cli.answers import Listed
+    from robosmi.cli.answers import ListedTargets
     from robosmi.cli.options import Options
 
 
@@ -20,6 +20,6 @@ def configure(parser: Options) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("targets")
-    found: Listed = content("chain", "targets")()
+    found: ListedTargets = content("chain", "targets")()
     report.result, report.lines = found.result, found.lines()
     return report
