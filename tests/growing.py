@@ -71,6 +71,30 @@ PROGRAMS: dict[str, tuple[Callable[[int], str], int]] = {
         ),
         3000,
     ),
+    "functions that call one another": (
+        lambda n: (
+            "".join(f"void f{i}(int x);\n" for i in range(n))
+            + "".join(
+                f"void f{i}(int x) {{ if (x) f{(i + 1) % n}(x - 1); else f{(i * 7 + 3) % n}(x); high({i % 28}); }}\n"
+                for i in range(n)
+            )
+            + "int main(void) { f0(9); }\n"
+        ),
+        1200,
+    ),
+    "arrays of a named size": (
+        lambda n: (
+            "".join(f"enum {{ E{i} = {i + 1} }};\n" for i in range(n))
+            + "".join(f"int a{i}[E{i}] = {{1}};\n" for i in range(n))
+            + _MAIN
+        ),
+        2000,
+    ),
+    "enumerations in structures": (lambda n: "".join(f"struct s{i} {{ enum {{ A{i} }} m; }};\n" for i in range(n)) + _MAIN, 2500),
+    "parameters that are arrays": (
+        lambda n: "void f(int n, " + ", ".join(f"int p{i}[n]" for i in range(n)) + ") { high(n); }\n" + _MAIN,
+        4000,
+    ),
     "definitions of one function": (_same_function, 12_000),
     "definitions of one variable": (lambda n: "int again = 1;\n" * n + _MAIN, 6000),
     "declarations of one variable": (lambda n: "extern int again;\n" * n + _MAIN, 6000),

@@ -7,10 +7,12 @@ is made here, in the same form.
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +21,17 @@ import anyio.abc
 
 from robosmi.base.data_text import as_table, json_of
 from robosmi.cli.root_folder import LONGEST, RootFolder, is_text
+from robosmi.cli.supervised import GRACE_S
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
 from robosmi.report.document import SCHEMA
 
 _KEPT = ("PATH", "LANG", "LC_ALL", "SYSTEMROOT", "ROBOSMI_NPM")
 """What a command is told of the server's environment."""
-_GRACE_S = 5.0
+_GRACE_S = GRACE_S + 3
+"""Seconds that a process has to end in order: its supervisor kills what it runs before."""
+_RECORDING = frozenset({"migrate", "generate", "choose"})
+"""Commands that change a folder of results, whose records the next call relies on."""
 _WORD = 9
 """Bytes that the system takes for a word beside its text."""
 
@@ -51,6 +57,8 @@ class Commands:
         self.limit_s = limit_s
         self.confined = confined
         self._own = tempfile.TemporaryDirectory(prefix="robosmi-mcp-")
+        self._data = Path(self._own.name) / "data"
+        (self._data / "runs").mkdir(parents=True)
 
     async def run(self, command: str, words: list[str]) -> dict[str, Any]:
         """Run one command; the document that it prints with `--json`, with its `exit_code`.
@@ -66,12 +74,14 @@ class Commands:
             return refusal(command, "RS901", 2, "an argument is not a text", "remove NUL and surrogates (U+D800 to U+DFFF)")
         if (size := sum(len(word.encode()) + _WORD for word in words)) > (most := os.sysconf("SC_ARG_MAX") // 2):
             return refusal(command, "RS901", 2, f"the arguments have {size} bytes in total", f"give at most {most} bytes")
-        own = Path(self._own.name)
-        with tempfile.TemporaryDirectory(dir=own, prefix="call-") as temporary:
-            program = ["robosmi.cli.confined", str(self.root.path), str(own)] if self.confined else ["robosmi"]
+        with tempfile.TemporaryDirectory(dir=self._own.name, prefix="call-") as temporary:
+            data = self._data
+            if command not in _RECORDING:  # so that no compiler or program that it starts changes the records
+                data = _copied(self._data, Path(temporary) / "data")
+            program = ["robosmi.cli.confined", str(self.root.path), temporary, str(data)] if self.confined else ["robosmi"]
             process = await anyio.open_process(
                 [sys.executable, "-P", "-m", *program, command, "--json", *words], cwd=self.root.path, stdin=subprocess.DEVNULL,
-                env=self._environment(own, temporary), start_new_session=True,
+                env=self._environment(data, temporary), start_new_session=True,
             )  # fmt: skip
             said, complained = bytearray(), bytearray()
             try:
@@ -93,18 +103,20 @@ class Commands:
             last = (complained.decode(errors="replace").strip().splitlines() or ["no message"])[-1]
             return refusal(command, "RS970", 70, f"{command} printed no JSON document: {last}", "report this bug")
 
-    def _environment(self, own: Path, temporary: str) -> dict[str, str]:
+    def _environment(self, data: Path, temporary: str) -> dict[str, str]:
         """No data of the person's is in it: neither earlier choices nor what was imported, trusted or named by ROBOSMI_PATH.
 
-        The cache, which holds programs and code, belongs to the call alone, so that no call runs what an earlier one has left.
+        The cache, which holds programs and code, and the history belong to the call alone, so that no call uses what an earlier
+        one has left.
         """
         import robosmi
 
         kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
         package = str(Path(robosmi.__file__).resolve().parents[1])
         return kept | {
-            "HOME": str(own), "ROBOSMI_HOME": str(own / "data"), "XDG_CACHE_HOME": f"{temporary}/cache", "TMPDIR": temporary,
-            "PYTHONPATH": package, "PYTHONUTF8": "1", "NO_COLOR": "1",
+            "HOME": temporary, "ROBOSMI_HOME": str(data), "ROBOSMI_HISTORY": f"{temporary}/history.sqlite",
+            "XDG_CACHE_HOME": f"{temporary}/cache", "TMPDIR": temporary, "PYTHONPATH": package,
+            "PYTHONUTF8": "1", "NO_COLOR": "1",
         }  # fmt: skip
 
     def __enter__(self) -> Commands:
@@ -112,6 +124,14 @@ class Commands:
 
     def __exit__(self, *_: object) -> None:
         self._own.cleanup()
+
+
+def _copied(data: Path, to: Path) -> Path:
+    (to / "runs").mkdir(parents=True)
+    for record in (data / "runs").iterdir():
+        with suppress(FileNotFoundError):  # another call has just put its record in place
+            shutil.copyfile(record, to / "runs" / record.name)
+    return to
 
 
 async def _collect(stream: anyio.abc.ByteReceiveStream | None, into: bytearray) -> None:

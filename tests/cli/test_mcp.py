@@ -6,6 +6,8 @@ import asyncio
 import json
 import os
 import shutil
+import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -465,6 +467,118 @@ def test_a_program_of_another_word_size_makes_no_socket_either(tmp_path: Path) -
     words = [sys.executable, "-c", program, str(tmp_path / "a")]
     assert subprocess.run([str(tmp_path / "a")], check=False).returncode == 8
     assert subprocess.run(words, cwd=Path(__file__).parents[2], check=False).returncode == 7
+
+
+DETACHED = """
+import os, signal, sys, time
+from robosmi.cli.supervised import supervised
+
+def work():
+    if os.fork() == 0:
+        os.setsid()
+        if os.fork() == 0:
+            signal.signal(signal.SIGTERM, signal.SIG_IGN)
+            print(os.getpid(), flush=True)
+            time.sleep(600)
+        os._exit(0)
+    time.sleep(float(sys.argv[1]))
+    return 7
+
+sys.exit(supervised(work))
+"""
+
+
+def is_running(number: int) -> bool:
+    """Whether a process is there and no zombie."""
+    state = Path(f"/proc/{number}/stat")
+    return state.exists() and state.read_text().rpartition(") ")[2][0] != "Z"
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Linux knows reapers")
+@pytest.mark.parametrize("asked", [False, True])
+def test_what_detaches_ends_with_its_command(asked: bool) -> None:
+    words = [sys.executable, "-c", DETACHED, "600" if asked else "0.2"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[2]) as process:
+        assert process.stdout is not None
+        detached = int(process.stdout.readline())
+        assert is_running(detached)
+        if asked:
+            process.terminate()
+        assert process.wait(30) == (128 + signal.SIGTERM if asked else 7)
+        assert not is_running(detached)
+
+
+WRITES_DATA = """
+import sys
+from pathlib import Path
+from robosmi.cli import confined, landlock
+root, own, data = map(Path, sys.argv[1:])
+landlock.restrict(confined.allowed(root, own, data))
+for place in (root, own, data / "runs", data, data / "trusted", data / "templates", data.parent, data.parent / "other-call"):
+    try:
+        place.mkdir(exist_ok=True)
+        (place / "a").write_text("a")
+        print(place.name)
+    except PermissionError:
+        pass
+"""
+
+
+def test_a_call_writes_neither_into_the_data_nor_into_another_call(tmp_path: Path) -> None:
+    require_landlock()
+    for place in ("root", "own", "data/runs", "other-call"):
+        (tmp_path / place).mkdir(parents=True)
+    words = [sys.executable, "-c", WRITES_DATA, *(str(tmp_path / name) for name in ("root", "own", "data"))]
+    done = subprocess.run(words, capture_output=True, text=True, cwd=Path(__file__).parents[2], check=False)
+    assert done.stdout.split() == ["root", "own", "runs"], done.stderr
+
+
+def test_what_a_compiler_leaves_in_the_data_goes_with_its_call(
+    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    own = tmp_path / "own"
+    own.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(own))
+
+    async def talk(call: Call) -> None:
+        assert (await call("migrate", files=["blink.c"], out="out"))["exit_code"] == 0
+        (data,) = own.glob("*/data/runs")
+        before = {path.name: path.read_bytes() for path in data.iterdir()}
+        assert before
+        for name in ("compile", "verify"):
+            await call(name, out="out")
+            assert {path.name: path.read_bytes() for path in data.iterdir()} == before, name
+
+    with Commands(RootFolder(root), 120, confined=bool(landlock.version())) as commands:
+        ask(commands, talk)
+
+
+def test_an_original_reaches_nothing_through_the_server(root: Path, tmp_path: Path, commands: Commands) -> None:
+    require_landlock()
+    require_tools("avr-gcc", "arduino-core-avr", "gcc-32-bits")
+    require_engine("simavr")
+    outside = root.parent / "outside"
+    text = (Path(__file__).parent / "mcp_attack" / "sock.c").read_text()
+    for word, meant in (("OUTSIDE", str(outside)), ("ROOT", str(root)), ("SERVER", str(os.getpid()))):
+        text = text.replace(word, meant)
+    (root / "sock.c").write_text(text)
+
+    async def talk(call: Call) -> None:
+        made = await call("migrate", files=["sock.c"], out="out", hardware="wiring.csv", bind=["P26=D13"])
+        assert made["exit_code"] in (0, 1), made
+        found = await call("verify", out="out", scenarios=["short.toml"])
+        assert found["exit_code"] in (1, 6), found
+
+    with socket.socket(socket.AF_UNIX) as listening:
+        listening.bind(str(outside / "sock"))
+        listening.listen()
+        listening.setblocking(False)
+        ask(commands, talk)
+        with pytest.raises(BlockingIOError):
+            listening.accept()
+    assert not (outside / "written").exists()
+    assert not (root / "written").exists()
 
 
 @pytest.mark.processes

@@ -79,7 +79,7 @@ def _is_char(m: Move, expression: ccode.Expression | None) -> bool:
         return False
     if isinstance(expression, ccode.Unary) and expression.operator != "*":
         return False
-    if isinstance(expression, ccode.Call) and expression.calleeName in {a.name for a in m.plan.adapterUses}:
+    if isinstance(expression, ccode.Call) and expression.calleeName in m.adapted:
         return False  # an adapter gives what the source's function gave
     kind = type_of(expression, m.numbers.functions)
     return kind is not None and kind.base == "char" and not kind.depth

@@ -27,6 +27,7 @@ from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.flows.cores import Cores
 from robosmi.transformations.queries.numbers import Machine, Numbers
 from robosmi.transformations.queries.plans.plan import preserves_main
+from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.ports.port_masks import PortMasks
 from robosmi.transformations.queries.resources.cooperation import giving_way
 from robosmi.transformations.queries.signature_text import function_type
@@ -128,6 +129,21 @@ class Move:
         """Functions and other names of the source platform that adapters provide on the target."""
         functions = {str(use.name) for use in self.plan.adapterUses if use.adapter is not None}
         return functions | {str(use.name) for use in self.plan.symbolUses if use.adapter is not None}
+
+    @cached_property
+    def adapted(self) -> set[str]:
+        """Functions of the source platform that the program calls, with an adapter or without."""
+        return {str(use.name) for use in self.plan.adapterUses}
+
+    @cached_property
+    def argument_ranges(self) -> dict[str, list[platform.ArgumentRange]]:
+        """Function -> the value ranges of its adapter, without those that apply only beside adapters that are not used."""
+        there = {f"{piece.sourceHeader}/{piece.name}" for piece in emitted(self.plan)}
+        found: dict[str, list[platform.ArgumentRange]] = {}
+        for use in self.plan.adapterUses:
+            if use.adapter is not None:
+                found.setdefault(str(use.name), [one for one in use.adapter.ranges if not one.beside or one.beside in there])
+        return found
 
     @cached_property
     def to_write(self) -> set[str]:

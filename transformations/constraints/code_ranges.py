@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move
-from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.validate import Fail
 
 calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_ranges(c)))
@@ -35,12 +34,7 @@ def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
 
 def _ranges(call: ccode.Call) -> list[platform.ArgumentRange]:
     """The value ranges of a call's adapter, without those that apply only beside adapters that the program does not use."""
-    m = the_move()
-    use = next((u for u in m.plan.adapterUses if u.name == call.calleeName and u.adapter is not None), None)
-    if use is None or use.adapter is None or not len(use.adapter.ranges):
-        return []
-    there = {f"{piece.sourceHeader}/{piece.name}" for piece in emitted(m.plan)}
-    return [one for one in use.adapter.ranges if not one.beside or one.beside in there]
+    return the_move().argument_ranges.get(str(call.calleeName), [])
 
 
 def _numbers(argument: ccode.Expression, m: Move) -> set[int]:

@@ -6,7 +6,7 @@ screen, `queries.plans.verdicts` the verdicts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
@@ -37,6 +37,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     of_macros = MacroCalls(plan)
     taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
     screen = first_screen(plan, sources, taken, known)
+    tasks = {(task.rule, task.path, task.line) for task in plan.tasks}
     return {
         "name": plan.name,
         "called": called(plan),
@@ -48,8 +49,10 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
         "conflicts": [_conflict(task) for task in plan.tasks if task.texts],
-        "findings": [_said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, plan)],
-        "in_tasks": any(_is_task(finding, plan) for finding in plan.findings),
+        "findings": [
+            _said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, tasks)
+        ],
+        "in_tasks": any(_is_task(finding, tasks) for finding in plan.findings),
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),
@@ -102,13 +105,10 @@ _TASKS = {
 """Rule of a finding -> rule of the task that says the same and what to do about it."""
 
 
-def _is_task(finding: migration.PlanFinding, plan: migration.MigrationPlan) -> bool:
+def _is_task(finding: migration.PlanFinding, tasks: Collection[tuple[str, str | None, int]]) -> bool:
     """Whether a task says the same as a finding, so that the report omits the finding."""
     rule = _TASKS.get(str(finding.rule))
-    if rule is None:
-        return False
-    wanted = (rule, finding.path, finding.line)
-    return any((task.rule, task.path, task.line) == wanted for task in plan.tasks)
+    return rule is not None and (rule, finding.path, finding.line) in tasks
 
 
 def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, Json]:

@@ -229,7 +229,7 @@ class CodeView:
                 uses.setdefault(str(element.name), set()).add(int(element.line))
         for macro in self.own_macros.values():
             for name in names_in(str(macro.body or "")) - set(macro.parameters):
-                if not self.defined(name) and name not in self._own_variables():
+                if not self.defined(name) and name not in self._own_variables:
                     uses.setdefault(name, set()).add(int(macro.line))
         found: list[UsedName] = []
         for name, lines in sorted(uses.items()):
@@ -238,6 +238,7 @@ class CodeView:
                 found.append(UsedName(name, self.api.symbol_kind(name, entry), entry.header, sorted(lines)))
         return found
 
+    @cached_property
     def _own_variables(self) -> set[str]:
         return {str(d.name) for d in self.unit.declarations}
 

@@ -63,7 +63,7 @@ def job(
         channels, timers = facts["analog"], facts["timers"]
     except KeyError as error:
         raise PlatformDataError(f"'{mcu}' in {path} lacks {error}", fix="add it") from None
-    pattern = re.compile(str(facts.get("ports", _PORT)))
+    pattern = re.compile(str(facts.get("port_pattern", _PORT)))
     pins = {str(pin.label): found[1] for pin in board.pins if (found := pattern.fullmatch(str(pin.port)))}
     numbers = {str(pin.label): number for pin in board.pins if pin.label in pins and (number := _input(pin)) is not None}
     analog = {label: channels[number] for label, number in numbers.items() if number < len(channels)}

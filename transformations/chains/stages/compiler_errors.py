@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
@@ -90,10 +91,10 @@ def source_place(
     """
     units = {file_name(unit, plan): unit for unit in (plan.program.units if plan.program is not None else ())}
     shown = cache(lambda file: [line.strip() for line in program.files[file].decode("utf-8", "replace").splitlines()])
+    read = cache(lambda file: _Origins(shown(file), units[file], sources))
 
     def place(file: str, line: int) -> Location | None:
-        unit = units.get(file)
-        return _place(line, shown(file), unit, sources) if unit is not None else None
+        return read(file).of(line) if file in units else None
 
     return place
 
@@ -116,19 +117,49 @@ def _most_members(program: ccode.Program, texts: Mapping[str, bytes]) -> int:
     return max(counts.values(), default=0)
 
 
-def _place(number: int, shown: Sequence[str], unit: ccode.SourceUnit, sources: Mapping[str, bytes]) -> Location:
-    """The source line of a line: the one with the same text nearest to the origin of a line above it."""
-    text = sources[unit.path].decode(unit.encoding or "utf-8", "replace")
-    lines = [line.strip() for line in text.splitlines()]
-    at = number - 1
-    if at >= len(shown):
-        return Location(str(unit.path))
-    guess = at
-    for above in range(at, -1, -1):
-        if shown[above] and lines.count(shown[above]) == 1:
-            guess = lines.index(shown[above]) + at - above
-            break
-    same = [row for row, line in enumerate(lines) if line == shown[at]]
-    best = sorted(same, key=lambda row: abs(row - guess))
-    line = best[0] if best else guess
-    return Location(str(unit.path), line + 1) if line < len(lines) else Location(str(unit.path))
+class _Origins:
+    """Where the lines of a generated file come from in its source.
+
+    Args:
+        shown: the lines of the generated file.
+        unit: the source file.
+        sources: path of a unit -> its bytes.
+    """
+
+    def __init__(self, shown: Sequence[str], unit: ccode.SourceUnit, sources: Mapping[str, bytes]) -> None:
+        self._path = str(unit.path)
+        self._shown = shown
+        lines = sources[unit.path].decode(unit.encoding or "utf-8", "replace").splitlines()
+        self._count = len(lines)
+        self._rows: dict[str, list[int]] = {}
+        for row, line in enumerate(lines):
+            self._rows.setdefault(line.strip(), []).append(row)
+        self._shifts: list[int] = []
+        """Of each line the distance to the source of the nearest one above that the source has once."""
+        for at, line in enumerate(shown):
+            rows = self._rows.get(line, ()) if line else ()
+            self._shifts.append(rows[0] - at if len(rows) == 1 else self._shifts[-1] if self._shifts else 0)
+
+    def of(self, number: int) -> Location:
+        """The place of a line: the one with the same text that is nearest to where the lines above come from.
+
+        Args:
+            number: of the line.
+        """
+        if number > len(self._shown):
+            return Location(self._path)
+        at = number - 1
+        line = nearest(self._rows.get(self._shown[at], ()), at + self._shifts[at])
+        return Location(self._path, line + 1) if line < self._count else Location(self._path)
+
+
+def nearest(rows: Sequence[int], guess: int) -> int:
+    """The row nearest to a guess, the first of two; the guess itself if there is none.
+
+    Args:
+        rows: in order.
+        guess: where it is expected.
+    """
+    behind = bisect_left(rows, guess)
+    around = rows[max(behind - 1, 0) : behind + 1]
+    return min(around, key=lambda row: abs(row - guess), default=guess)

@@ -5,6 +5,8 @@ The platform's `pins.json` takes precedence. Adapter files are read by `adapter_
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.adapters.adapter_index import AdapterIndex
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
@@ -34,12 +36,18 @@ class AdapterPins:
         """
         key = function, header
         if key not in self._known:
-            headers = [header] if header else self.index.headers
-            found = (
-                _pins(piece) for each in headers for group in self.index.of(each) for piece in group if piece.name == function
-            )
+            pieces = [p for group in self.index.of(header) for p in group] if header else self._of_all.get(function, ())
+            found = (_pins(piece) for piece in pieces if piece.name == function)
             self._known[key] = next((pins for pins in found if pins is not None), None)
         return self._known[key]
+
+    @cached_property
+    def _of_all(self) -> dict[str, list[AdapterPiece]]:
+        """Name -> the pieces of that name of all headers."""
+        found: dict[str, list[AdapterPiece]] = {}
+        for piece in (p for header in self.index.headers for group in self.index.of(header) for p in group):
+            found.setdefault(str(piece.name), []).append(piece)
+        return found
 
 
 def _pins(piece: AdapterPiece) -> PinFacts | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 from itertools import chain
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -24,6 +25,7 @@ from robosmi.transformations.m2m.language.unterminated_literals import without_z
 from robosmi.transformations.m2m.language.void_arithmetic import in_macros
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import of_use, type_of
+from robosmi.transformations.queries.innermost import Innermost
 from robosmi.transformations.queries.macros.tokens import name_tokens
 
 Form = tuple[int, str, str]
@@ -165,11 +167,11 @@ _POINTER_TO_ROWS = re.compile(rb"\(\*\w+\)\[([A-Za-z_]\w*)\]")
 
 def _rows_of_parameters(view: CodeView, data: bytes) -> Iterator[Form]:
     """Variably modified array types in parameters and variables, such as rows whose length is another parameter."""
+    names_in = cache(lambda function: {p.name for p in function.parameters if p.name} if function is not None else set())
     for parameter in view.of_kind(ccode.Parameter):
-        function = ancestor_of_kind(parameter, ccode.Function)
+        names = names_in(ancestor_of_kind(parameter, ccode.Function))
         text = data[parameter.startOffset : parameter.endOffset]
         sizes = [size.decode("latin-1") for size in _SIZES.findall(text)]
-        names = {p.name for p in function.parameters if p.name} if function is not None else set()
         rows = sizes if b"(*" in text.replace(b" ", b"") else sizes[1:]
         if any(row.strip() == "*" or not names.isdisjoint(_NAME.findall(row)) for row in rows):
             message = "a parameter sets the length of an array's rows, which C++ does not allow"
@@ -233,9 +235,11 @@ def _taken(holder: ccode.Variable | ccode.Cast, data: bytes) -> bool:
 
 
 def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
-    mended = [(int(holder.startOffset), int(holder.endOffset)) for holder in list_holders(view) if _taken(holder, data)]
+    mended = Innermost(
+        (int(holder.startOffset), int(holder.endOffset), 0, True) for holder in list_holders(view) if _taken(holder, data)
+    )
     for value in (*view.of_kind(ccode.UnknownExpression), *view.of_kind(ccode.InitializerList)):
-        if any(start <= value.startOffset < end for start, end in mended):
+        if mended.at(int(value.startOffset)):
             continue
         text = data[value.startOffset : value.endOffset].decode("latin-1")
         if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):

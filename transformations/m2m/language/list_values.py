@@ -6,6 +6,7 @@ How a list is written by position is decided in `designated_lists`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from weakref import WeakKeyDictionary
 
 from msgspec import Struct
 
@@ -33,9 +34,21 @@ def constants_of(variable: ccode.Variable | ccode.Cast) -> Mapping[str, int]:
     element = variable.eContainer()
     while element is not None and not isinstance(element, ccode.SourceUnit):
         element = element.eContainer()
-    units = element.program.units if element is not None and element.program is not None else ()
+    program = element.program if element is not None else None
+    if program is None:
+        return {}
+    if program not in _constants:
+        _constants[program] = _constants_in(program)
+    return _constants[program]
+
+
+_constants: WeakKeyDictionary[ccode.Program, Mapping[str, int]] = WeakKeyDictionary()
+"""Program, which does not change any more -> its constants: each list asks for them."""
+
+
+def _constants_in(program: ccode.Program) -> Mapping[str, int]:
     found: dict[str, int] = {}
-    for unit in units:
+    for unit in program.units:
         for declared in unit.declarations:
             if isinstance(declared, ccode.Enumeration):
                 found |= {str(literal.name): int(literal.value) for literal in declared.literals}

@@ -7,22 +7,26 @@ An enumeration is moved before the record, with a new name if it has none. A nes
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 
 from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.innermost import Innermost
 from robosmi.transformations.queries.macros.tokens import name_tokens
 
 
 def nested_enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Find enumerations defined inside records, each with the text of its definition under a name."""
     taken: set[str] = set()
+    records = cache(_records)
     for enumeration in view.of_kind(ccode.Enumeration):
-        record = _record_around(enumeration)
+        record = records(enumeration.eContainer()).at(int(enumeration.startOffset))
         text = data[enumeration.startOffset : enumeration.endOffset]
         if record is None or not text.startswith(b"enum") or not text.endswith(b"}"):  # a macro wrote it
             continue
@@ -45,17 +49,17 @@ def _fresh(wanted: str, taken: set[str]) -> str:
     return name
 
 
-def _beside(enumeration: ccode.Enumeration) -> list[ccode.Declaration]:
-    around = enumeration.eContainer()
-    kinds = (ccode.SourceUnit, ccode.DeclarationStatement)
-    return [d for d in around.declarations if d is not enumeration] if isinstance(around, kinds) else []
+def _within(around: Element | None) -> Sequence[ccode.Declaration]:
+    return around.declarations if isinstance(around, (ccode.SourceUnit, ccode.DeclarationStatement)) else ()
 
 
-def _record_around(enumeration: ccode.Enumeration) -> ccode.Record | None:
-    """The record among whose members an enumeration is defined."""
-    start, end = enumeration.startOffset, enumeration.endOffset
-    records = (d for d in _beside(enumeration) if isinstance(d, ccode.Record))
-    return next((r for r in records if r.startOffset < start and end < r.endOffset), None)
+def _records(around: Element | None) -> Innermost[int, ccode.Record]:
+    """The records of a unit or statement by their places; the first one counts where one is in another."""
+    return Innermost(
+        (int(record.startOffset) + 1, int(record.endOffset), number, record)
+        for number, record in enumerate(_within(around))
+        if isinstance(record, ccode.Record)
+    )
 
 
 def before_record(enumeration: ccode.Enumeration, text: str) -> list[Replacement]:
@@ -67,7 +71,7 @@ def before_record(enumeration: ccode.Enumeration, text: str) -> list[Replacement
     """
     start, end = int(enumeration.startOffset), int(enumeration.endOffset)
     around = enumeration.eContainer()
-    places = [int(d.startOffset) for d in _beside(enumeration) if d.startOffset < start and end <= d.endOffset]
+    places = [int(d.startOffset) for d in _within(around) if d.startOffset < start and end <= d.endOffset]
     if isinstance(around, ccode.DeclarationStatement):
         places.append(int(around.startOffset))
     name = " ".join(text.partition("{")[0].split())

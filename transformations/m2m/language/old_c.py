@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
@@ -217,11 +218,11 @@ _SIZE_WORDS = re.compile(r"(?:static|const|volatile|restrict)\b")
 
 def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Array parameters whose size is another parameter or otherwise not constant."""
+    names_in = cache(lambda function: {p.name for p in function.parameters} if function is not None else set())
     for parameter in view.of_kind(ccode.Parameter):
         sizes = parameter.valueType.arrayDims if parameter.valueType is not None else ""
-        function = ancestor_of_kind(parameter, ccode.Function)
+        names = names_in(ancestor_of_kind(parameter, ccode.Function))
         first = (sizes or "").partition("]")[0].strip("[ ")
-        names = {p.name for p in function.parameters} if function is not None else set()
         if names & set(re.findall(r"[A-Za-z_]\w*", first)) or first.startswith("*") or _SIZE_WORDS.match(first):
             yield Change(parameter, "open-size", "", "C++ wants a constant there")
 

@@ -284,10 +284,10 @@ def unwritten_calls(plan: migration.MigrationPlan) -> dict[int, int]:
 def calls_at_no_pin(plan: migration.MigrationPlan) -> dict[int, int]:
     """The `id` of each call that does nothing because its port has no pin -> the value that it returns."""
     found: dict[int, int] = {}
-    open_ = {id(call) for flow in plan.portFlows if _nowhere(flow) for call in flow.calls}
-    wired = {id(call) for flow in plan.portFlows if not _nowhere(flow) for call in flow.calls}
+    idle = {id(call) for flow in plan.portFlows if _nowhere(flow) for call in flow.calls}
+    idle -= {id(call) for flow in plan.portFlows if not _nowhere(flow) for call in flow.calls}
     for use in plan.adapterUses:
-        calls = [call for call in use.calls if id(call) in open_ - wired]
+        calls = [call for call in use.calls if id(call) in idle]
         given = _given_without_pin(use.adapter) if calls and use.adapter is not None else None
         if given is not None:
             found |= {id(call): given for call in calls}

@@ -68,6 +68,13 @@ class FlowReader:
             for d in v.unit.declarations
             if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.externStorage
         }
+        self._static: dict[tuple[int, str], ccode.Declaration] = {}
+        """(`id` of a unit, name) -> its static variable of that name, the first of several."""
+        for view, declaration in ((v, d) for v in views for d in v.unit.declarations):
+            if isinstance(declaration, ccode.Variable) and declaration.storage is ccode.Storage.staticStorage:
+                self._static.setdefault((id(view.unit), str(declaration.name)), declaration)
+        self._places: dict[int, int] = {}
+        """`id` of a parameter -> its place among those of its function."""
         self._shared: dict[str, ccode.Declaration] = {}
         for declaration in (d for view in views for d in view.unit.declarations):
             if isinstance(declaration, ccode.Variable) and declaration.storage is not ccode.Storage.staticStorage:
@@ -106,17 +113,16 @@ class FlowReader:
         elif isinstance(thing, ccode.Parameter):
             function = thing.eContainer()
             if isinstance(function, ccode.Function):
-                return ("Parameter", self.key(function), list(function.parameters).index(thing))
+                if id(thing) not in self._places:
+                    self._places |= {id(each): place for place, each in enumerate(function.parameters)}
+                return ("Parameter", self.key(function), self._places[id(thing)])
         return ("element", id(thing))
 
     def _outer(self, declared: ccode.Variable) -> Hashable:
         """The key of the variable that an `extern` declaration means, in a block too."""
         unit = ancestor_of_kind(declared, ccode.SourceUnit)
-        for other in unit.declarations if unit is not None else ():
-            static = isinstance(other, ccode.Variable) and other.storage is ccode.Storage.staticStorage
-            if static and other.name == declared.name:
-                return ("element", id(other))
-        return ("Variable", str(declared.name))
+        static = self._static.get((id(unit), str(declared.name)))
+        return ("element", id(static)) if static is not None else ("Variable", str(declared.name))
 
     def value(self, expression: ccode.Located | None) -> Hashable:
         """The key of the thing that an expression takes its value from, such as a variable, a member or a function's result."""

@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import Any, NamedTuple
 
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.innermost import Innermost
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.plan_adapters import limits
 from robosmi.transformations.queries.plans.waiting_calls import open_conventions
@@ -278,15 +280,30 @@ class _Spans:
             unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None and id(element) not in externals else None
             if element is not None and unit is not None:
                 self._of_unit.setdefault(str(unit.path), []).append(element)
+        self._offsets = cache(lambda path: Innermost(map(_bytes_of, self._of_unit.get(path, ()))))
+        self._lines = cache(lambda path: Innermost(map(_lines_of, self._of_unit.get(path, ()))))
+        self._columns = cache(lambda path: Innermost(map(_columns_of, self._of_unit.get(path, ()))))
 
     def around(self, path: str, line: int, offset: int) -> int | None:
         """The `id` of the smallest construct that contains the offset, or the line and column if it is not positive."""
-        inside = [e for e in self._of_unit.get(path, ()) if _covers(e, line, offset)]
-        return id(min(inside, key=lambda e: e.endOffset - e.startOffset)) if inside else None
+        if offset > 0:
+            return self._offsets(path).at(offset)
+        return self._columns(path).at((line, -offset)) if offset else self._lines(path).at(line)
 
 
-def _covers(element: ccode.Located, line: int, offset: int) -> bool:
-    if offset <= 0:
-        ends = element.endLine or element.line, element.endColumn or element.column + 1
-        return bool(element.line <= line <= ends[0]) and (not offset or (element.line, element.column) <= (line, -offset) < ends)
-    return bool(element.startOffset <= offset < max(element.endOffset, element.startOffset + 1))
+def _size(element: ccode.Located) -> int:
+    return int(element.endOffset) - int(element.startOffset)
+
+
+def _bytes_of(element: ccode.Located) -> tuple[int, int, int, int]:
+    start = int(element.startOffset)
+    return start, max(int(element.endOffset), start + 1), _size(element), id(element)
+
+
+def _lines_of(element: ccode.Located) -> tuple[int, int, int, int]:
+    return int(element.line), int(element.endLine or element.line) + 1, _size(element), id(element)
+
+
+def _columns_of(element: ccode.Located) -> tuple[tuple[int, int], tuple[int, int], int, int]:
+    line, column = int(element.line), int(element.column)
+    return (line, column), (int(element.endLine or line), int(element.endColumn or column + 1)), _size(element), id(element)
