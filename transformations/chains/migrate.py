@@ -196,7 +196,8 @@ def judgement(
     index = api.adapters.index if api.adapters is not None else None
     files = index if index is not None else adapter_files_of(settings, target, api)
     members, calls = outside_members(program.views), {name for view in program.views for name in view.called()}
-    choice = adapter_choice(files, api, board, how, widened=widths != KEEP, members=members, calls=calls)
+    narrow = target.model.platform is not None and int(target.model.platform.intBits) < int(api.settings["int_bits"])
+    choice = adapter_choice(files, api, board, how, widened=narrow and widths != KEEP, members=members, calls=calls)
     known = api.settings.get("ports", {}).get("look_up", {})
     look_up = [str(known[name]) for name in looked_up(ports) if name in known]
     judged = judge_program(program.views, target, choice, program.copies, look_up)

@@ -30,7 +30,7 @@ from robosmi.transformations.knowledge.board_models import (
     table_of,
     text_of,
 )
-from robosmi.transformations.knowledge.data_keys import OF_SOURCES, OF_TARGETS, TARGET
+from robosmi.transformations.knowledge.data_keys import OF_ARCHITECTURES, OF_SOURCES, OF_TARGETS, TARGET
 from robosmi.transformations.knowledge.platforms.target_names import KINDS, TargetNames, add_names_of, reserved_names
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
@@ -182,7 +182,8 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     if board_file(board_name, project) is None:
         raise table.error("board", f"is '{board_name}', an unknown board{did_you_mean(board_name, board_names(project))}")
     board = load_board(board_name, project)
-    made = _platform(own, table.text("platform"), project)
+    chip = board.microcontroller
+    made = _platform(_on(own, str(chip.architecture) if chip is not None else ""), table.text("platform"), project)
     made.boardMappings.append(load_mapping(table.text("platform"), board, project))
     toolchain = table.text("toolchain", "")
     model = platform.Target(
@@ -295,6 +296,18 @@ def target_platform(name: str, project: Path | None = None) -> platform.Platform
         PlatformDataError: its data is missing or damaged.
     """
     return _platform(table_of(resources.find(KIND, f"{name}/platform.toml", project)), name, project)
+
+
+def _on(table: DataTable, architecture: str) -> DataTable:
+    """The settings of a platform on a processor, whose own widths replace those of the platform."""
+    said = table.table("architectures", needed=False)
+    if architecture not in said.values:
+        return table
+    own = said.table(architecture)
+    for key in own.values:
+        if key not in OF_ARCHITECTURES:
+            raise own.error(key, f"is not a key of an architecture{did_you_mean(key, OF_ARCHITECTURES)}")
+    return DataTable(table.path, {**table.values, **own.values, "architecture": architecture}, table.prefix)
 
 
 def _platform(table: DataTable, folder: str, project: Path | None) -> platform.Platform:

@@ -392,17 +392,17 @@ inline void imu_SPIreadBytes(int32_t csPin, uint8_t subAddress, void *dest, uint
 }
 
 //# helper imu_readAxes
-//#   needs: imu_SPIreadBytes
-inline void imu_readAxes(int32_t csPin, uint8_t subAddress, int32_t *x, int32_t *y, int32_t *z) {  // 16 bits with a sign each
-  int32_t *to[3] = {x, y, z};
+//#   needs: imu_SPIreadBytes hal/SourceInt
+inline void imu_readAxes(int32_t csPin, uint8_t subAddress, SourceInt *x, SourceInt *y, SourceInt *z) {  // 16 bits with a sign each
+  SourceInt *to[3] = {x, y, z};
   uint8_t bytes[6];
   imu_SPIreadBytes(csPin, subAddress, bytes, 6);
   for (uint8_t axis = 0; axis < 3; axis++) *to[axis] = (int16_t)(bytes[2 * axis + 1] << 8 | bytes[2 * axis]);
 }
 
 //# helper imu_lessBias
-//#   needs: imu_state
-inline void imu_lessBias(uint8_t sensor, int32_t *x, int32_t *y, int32_t *z) {
+//#   needs: imu_state hal/SourceInt
+inline void imu_lessBias(uint8_t sensor, SourceInt *x, SourceInt *y, SourceInt *z) {
   if (!(imu_state.corrected >> sensor & 1)) return;
   *x -= imu_state.bias[sensor][0];
   *y -= imu_state.bias[sensor][1];
@@ -426,10 +426,10 @@ inline void imu_change(uint8_t select, uint8_t address, uint8_t kept, uint8_t se
 //# adapter imu_readGyro
 //#   for: void imu_readGyro(int *gx, int *gy, int *gz)
 //#   kind: oneToMany
-//#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_G
+//#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_G hal/SourceInt
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
 //#   stack: 64 51
-inline void imu_readGyro(int32_t *gx, int32_t *gy, int32_t *gz) {
+inline void imu_readGyro(SourceInt *gx, SourceInt *gy, SourceInt *gz) {
   imu_readAxes(imu_state.motion, OUT_X_L_G, gx, gy, gz);
   imu_lessBias(0, gx, gy, gz);
 }
@@ -437,11 +437,11 @@ inline void imu_readGyro(int32_t *gx, int32_t *gy, int32_t *gz) {
 //# adapter imu_readGyroCalculated
 //#   for: void imu_readGyroCalculated(float *gx, float *gy, float *gz)
 //#   kind: oneToMany
-//#   needs: imu_state imu_readGyro
+//#   needs: imu_state imu_readGyro hal/SourceInt
 //#   fidelity: exact: degrees per second
 //#   stack: 82 70
 inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
-  int32_t x, y, z;
+  SourceInt x, y, z;
   imu_readGyro(&x, &y, &z);
   *gx = x / imu_state.perUnit[0];
   *gy = y / imu_state.perUnit[0];
@@ -451,10 +451,10 @@ inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
 //# adapter imu_readAccel
 //#   for: void imu_readAccel(int *ax, int *ay, int *az)
 //#   kind: oneToMany
-//#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_XL
+//#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_XL hal/SourceInt
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
 //#   stack: 64 51
-inline void imu_readAccel(int32_t *ax, int32_t *ay, int32_t *az) {
+inline void imu_readAccel(SourceInt *ax, SourceInt *ay, SourceInt *az) {
   imu_readAxes(imu_state.motion, OUT_X_L_XL, ax, ay, az);
   imu_lessBias(1, ax, ay, az);
 }
@@ -462,11 +462,11 @@ inline void imu_readAccel(int32_t *ax, int32_t *ay, int32_t *az) {
 //# adapter imu_readAccelCalculated
 //#   for: void imu_readAccelCalculated(float *ax, float *ay, float *az)
 //#   kind: oneToMany
-//#   needs: imu_state imu_readAccel
+//#   needs: imu_state imu_readAccel hal/SourceInt
 //#   fidelity: exact: g
 //#   stack: 82 70
 inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
-  int32_t x, y, z;
+  SourceInt x, y, z;
   imu_readAccel(&x, &y, &z);
   *ax = x / imu_state.perUnit[1];
   *ay = y / imu_state.perUnit[1];
@@ -476,21 +476,21 @@ inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
 //# adapter imu_readMag
 //#   for: void imu_readMag(int *mx, int *my, int *mz)
 //#   kind: oneToMany
-//#   needs: imu_state imu_readAxes OUT_X_L_M
+//#   needs: imu_state imu_readAxes OUT_X_L_M hal/SourceInt
 //#   fidelity: exact: 16 bits with a sign
 //#   stack: 68 51
-inline void imu_readMag(int32_t *mx, int32_t *my, int32_t *mz) {
+inline void imu_readMag(SourceInt *mx, SourceInt *my, SourceInt *mz) {
   imu_readAxes(imu_state.field, OUT_X_L_M, mx, my, mz);
 }
 
 //# adapter imu_readMagCalculated
 //#   for: void imu_readMagCalculated(float *mx, float *my, float *mz)
 //#   kind: oneToMany
-//#   needs: imu_state imu_readMag
+//#   needs: imu_state imu_readMag hal/SourceInt
 //#   fidelity: exact: gauss
 //#   stack: 82 70
 inline void imu_readMagCalculated(float *mx, float *my, float *mz) {
-  int32_t x, y, z;
+  SourceInt x, y, z;
   imu_readMag(&x, &y, &z);
   *mx = x / imu_state.perUnit[2];
   *my = y / imu_state.perUnit[2];
@@ -500,10 +500,10 @@ inline void imu_readMagCalculated(float *mx, float *my, float *mz) {
 //# adapter imu_readTemp
 //#   for: void imu_readTemp(int *temperature)
 //#   kind: oneToMany
-//#   needs: imu_state imu_SPIreadBytes OUT_TEMP_L
+//#   needs: imu_state imu_SPIreadBytes OUT_TEMP_L hal/SourceInt
 //#   fidelity: exact: sixteenths of a degree from 25 degrees Celsius on
 //#   stack: 54 41
-inline void imu_readTemp(int32_t *temperature) {
+inline void imu_readTemp(SourceInt *temperature) {
   uint8_t bytes[2];
   imu_SPIreadBytes(imu_state.motion, OUT_TEMP_L, bytes, 2);
   *temperature = (int16_t)(bytes[1] << 8 | bytes[0]);
@@ -512,11 +512,11 @@ inline void imu_readTemp(int32_t *temperature) {
 //# adapter imu_readTempCalculated
 //#   for: void imu_readTempCalculated(float *temperature, char tempUnit)
 //#   kind: oneToMany
-//#   needs: imu_readTemp FAHRENHEIT KELVIN
+//#   needs: imu_readTemp FAHRENHEIT KELVIN hal/SourceInt
 //#   fidelity: exact
 //#   stack: 55 41
 inline void imu_readTempCalculated(float *temperature, uint8_t tempUnit) {
-  int32_t raw;
+  SourceInt raw;
   imu_readTemp(&raw);
   *temperature = raw / 16.0f + 25.0f;
   if (tempUnit == FAHRENHEIT) *temperature = *temperature * 1.8f + 32.0f;
@@ -693,10 +693,10 @@ inline void imu_setMagCalibration(int32_t mxBias, int32_t myBias, int32_t mzBias
 //# adapter imu_getGyroCalibration
 //#   for: void imu_getGyroCalibration(int *gxBias, int *gyBias, int *gzBias)
 //#   kind: oneToOne
-//#   needs: imu_state
+//#   needs: imu_state hal/SourceInt
 //#   fidelity: exact
 //#   stack: 0
-inline void imu_getGyroCalibration(int32_t *gxBias, int32_t *gyBias, int32_t *gzBias) {
+inline void imu_getGyroCalibration(SourceInt *gxBias, SourceInt *gyBias, SourceInt *gzBias) {
   *gxBias = imu_state.bias[0][0];
   *gyBias = imu_state.bias[0][1];
   *gzBias = imu_state.bias[0][2];
@@ -705,10 +705,10 @@ inline void imu_getGyroCalibration(int32_t *gxBias, int32_t *gyBias, int32_t *gz
 //# adapter imu_getAccelCalibration
 //#   for: void imu_getAccelCalibration(int *axBias, int *ayBias, int *azBias)
 //#   kind: oneToOne
-//#   needs: imu_state
+//#   needs: imu_state hal/SourceInt
 //#   fidelity: exact
 //#   stack: 0
-inline void imu_getAccelCalibration(int32_t *axBias, int32_t *ayBias, int32_t *azBias) {
+inline void imu_getAccelCalibration(SourceInt *axBias, SourceInt *ayBias, SourceInt *azBias) {
   *axBias = imu_state.bias[1][0];
   *ayBias = imu_state.bias[1][1];
   *azBias = imu_state.bias[1][2];
@@ -717,10 +717,10 @@ inline void imu_getAccelCalibration(int32_t *axBias, int32_t *ayBias, int32_t *a
 //# adapter imu_getMagCalibration
 //#   for: void imu_getMagCalibration(int *mxBias, int *myBias, int *mzBias)
 //#   kind: oneToOne
-//#   needs: imu_state
+//#   needs: imu_state hal/SourceInt
 //#   fidelity: exact
 //#   stack: 0
-inline void imu_getMagCalibration(int32_t *mxBias, int32_t *myBias, int32_t *mzBias) {
+inline void imu_getMagCalibration(SourceInt *mxBias, SourceInt *myBias, SourceInt *mzBias) {
   *mxBias = imu_state.bias[2][0];
   *myBias = imu_state.bias[2][1];
   *mzBias = imu_state.bias[2][2];
@@ -782,11 +782,12 @@ inline int32_t imu_init(int32_t pinSCL, int32_t pinSDIO, int32_t pinAG, int32_t 
 //# adapter imu_calibrateAG
 //#   for: void imu_calibrateAG(void)
 //#   kind: oneToMany
-//#   needs: imu_state imu_change imu_byte imu_SPIwriteByte imu_readGyro imu_readAccel imu_setGyroCalibration imu_setAccelCalibration CTRL_REG9 FIFO_CTRL FIFO_SRC FIFO_THS FIFO_OFF
+//#   needs: imu_state imu_change imu_byte imu_SPIwriteByte imu_readGyro imu_readAccel imu_setGyroCalibration imu_setAccelCalibration CTRL_REG9 FIFO_CTRL FIFO_SRC FIFO_THS FIFO_OFF hal/SourceInt
 //#   fidelity: exact: the mean of the 31 readings or more that the sensor has stored, the third axis upwards; it waits for them, and for ever without a sensor
 //#   stack: 160 144
 inline void imu_calibrateAG() {
-  int32_t sums[2][3] = {{0, 0, 0}, {0, 0, 0}}, x, y, z;
+  int32_t sums[2][3] = {{0, 0, 0}, {0, 0, 0}};
+  SourceInt x, y, z;
   imu_change(imu_state.motion, CTRL_REG9, 0xFF, 2);
   imu_SPIwriteByte(imu_state.motion, FIFO_CTRL, FIFO_THS << 5 | 0x1F);
   uint8_t samples = 0;
@@ -806,11 +807,12 @@ inline void imu_calibrateAG() {
 //# adapter imu_calibrateMag
 //#   for: void imu_calibrateMag(void)
 //#   kind: oneToMany
-//#   needs: imu_magAvailable imu_readMag imu_setMagCalibration
+//#   needs: imu_magAvailable imu_readMag imu_setMagCalibration hal/SourceInt
 //#   fidelity: exact: the middle of what 1,200 readings had, which are to be new ones: some 30 s; it waits for them, and for ever without a sensor
 //#   stack: 172 162
 inline void imu_calibrateMag() {
-  int32_t least[3] = {0, 0, 0}, most[3] = {0, 0, 0}, now[3];
+  int32_t least[3] = {0, 0, 0}, most[3] = {0, 0, 0};
+  SourceInt now[3];
   for (uint16_t reading = 0; reading < 1200; reading++) {
     while (!imu_magAvailable()) continue;
     imu_readMag(now, now + 1, now + 2);

@@ -127,6 +127,8 @@ typedef text_t terminal;
 //# helper console
 //#   needs: text_t
 //#   setup: Serial.begin(115200);
+//#   setup rp2040: while (!Serial && millis() < 3000) {}
+//#   limit rp2040: what is printed before a computer opens the console would be lost: the program waits for that, 3 s at most
 //#   ram: 11
 static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
 
@@ -134,6 +136,8 @@ static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
 //#   members: rxChar txChar cogid devst
 //#   needs: text_t
 //#   setup: Serial.begin(115200);
+//#   setup rp2040: while (!Serial && millis() < 3000) {}
+//#   limit rp2040: what is printed before a computer opens the console would be lost: the program waits for that, 3 s at most
 //#   ram: 45
 static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true, 0, 0, {0}, 0};
 
@@ -825,7 +829,7 @@ struct TextArgument {
   TextArgument(double value) : kind('f'), real((float)value) {}
   TextArgument(char value) : kind('d'), integer((uint8_t)value) {}  // plain char has no sign there
   template <class Pointed>
-  TextArgument(Pointed *value) : kind('d'), integer((int32_t)(uint16_t)value) {}
+  TextArgument(Pointed *value) : kind('d'), integer((int32_t)(uintptr_t)value) {}
   template <class Integer>
   TextArgument(Integer value) : kind('d'), integer((int32_t)value) {}
 
@@ -1148,7 +1152,9 @@ struct ScanTarget {
 
   void take(int32_t value) const { memcpy(at, &value, size < 4 ? size : 4); }
   void take(float value) const {
-    if (real || size == sizeof value) memcpy(at, &value, sizeof value);
+    double wide = value;
+    if (sizeof wide > sizeof value && real && size == sizeof wide) memcpy(at, &wide, sizeof wide);
+    else if (real || size == sizeof value) memcpy(at, &value, sizeof value);
   }
 };
 
@@ -1335,7 +1341,7 @@ struct ListArguments {
       if (!*format) break;
       if (*format == '%' || count == 12) continue;
       if (*format == 's') values[count++] = TextArgument(va_arg(list, const char *));
-      else if (*format == 'p') values[count++] = TextArgument((int32_t)va_arg(list, uint16_t));
+      else if (*format == 'p') values[count++] = TextArgument((int32_t)va_arg(list, uintptr_t));
       else if (strchr("fFeEgGaA", *format)) values[count++] = TextArgument(va_arg(list, double));
       else values[count++] = TextArgument(va_arg(list, int32_t));
     }

@@ -3,6 +3,11 @@
 // The hardware layer on AVR microcontrollers (ATmega328P, 32U4, 2560): registers, timers, interrupts, instructions.
 // What each piece promises is written in docs/reference/hardware-layer.md. A tick of an edge is 1/16 us on every target.
 
+// ---------------------------------------------------------------- numbers
+
+//# helper SourceInt
+typedef int32_t SourceInt;  // the int of the source, as programs have it here
+
 // ---------------------------------------------------------------- interrupts
 
 //# helper Uninterrupted

@@ -4,6 +4,11 @@
 // What each piece promises is written in docs/reference/hardware-layer.md. Interrupts of one priority wait for each other here; jobs are short.
 // Servo.h and tone() are state machines of the chip's PIO, so that no interrupt moves their edges.
 
+// ---------------------------------------------------------------- numbers
+
+//# helper SourceInt
+typedef int SourceInt;  // the int of the source, which programs keep here
+
 // ---------------------------------------------------------------- interrupts
 
 //# helper Uninterrupted
