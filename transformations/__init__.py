@@ -44,6 +44,7 @@ _CONTENT = {
     ("chain", "page"): "chains.page:PlanPage",
     ("chain", "report_page"): "chains.page:report_page",
     ("chain", "check"): "chains.check:check",
+    ("chain", "targets"): "chains.targets:targets",
     ("chain", "simulate"): "chains.simulate:simulate",
     ("chain", "verify"): "chains.verify:verify",
     ("chain", "wiring"): "chains.wiring:wiring",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from robosmi.api import Analysed, MigratedSketch
 from robosmi.base.data_text import Json
@@ -51,6 +51,17 @@ class HandedWiring(Protocol):
 
     def artifacts(self) -> list[dict[str, str]]:
         """Files written, {path, kind}."""
+
+
+class ListedTargets(Protocol):
+    """What a command lists, without findings."""
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's part of the document."""
+
+    def lines(self) -> list[str]:
+        """The text for a person."""
 
 
 class ImportedParts(Analysed, Protocol):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.base.data_text import as_texts
 from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.cores.core_folders import BoardName, find_core
 from robosmi.verify.toolchains.compile_report import CompileReport
@@ -56,7 +57,7 @@ def test_the_stand_in_has_what_sketches_and_libraries_take_of_a_core() -> None:
     assert 10_000 < (report.flash_bytes or 0) < 100_000
     assert (report.flash_limit, report.ram_limit) == (2_093_056, 262_144)
     assert report.commands
-    assert all("--target=arm-none-eabi" in entry["arguments"] for entry in report.commands)
+    assert all("--target=arm-none-eabi" in as_texts(entry["arguments"]) for entry in report.commands)
 
 
 @pytest.mark.parametrize("board", ["picow", "rp2040:rp2040:rpipicow", "rp2040:rp2040:rpipicow:freq=125"])

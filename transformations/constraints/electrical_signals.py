@@ -88,7 +88,15 @@ def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring
     return [p.label for p in pins if p.net not in served and needs(w, p)]
 
 
-@devices.critique(id="RS240", location=drawing, advice="use an analogue input, such as A0")
+def _analogue_input(c: hardware.Component) -> str:
+    """The advice to use an analogue input, with one that the board of a component has."""
+    w = wiring_of(c)
+    models = [model for board in w.boards if (model := w.board_model(board)) is not None]
+    labels = [str(pin.label) for model in models for pin in model.pins if "analog_in" in pin.abilities]
+    return f"use an analogue input, such as {'A0' if 'A0' in labels or not labels else labels[0]}"
+
+
+@devices.critique(id="RS240", location=drawing, advice=_analogue_input)
 def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> bool | Fail:
     """An analogue voltage is on an analogue input."""
     given = wiring_of(c).facts(c).analog

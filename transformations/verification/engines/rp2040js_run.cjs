@@ -78,11 +78,13 @@ chip.peripherals[0x40058].onWatchdogTrigger = () => crash('its watchdog resets i
 
 let log = [];
 let wake = Infinity;
+let until = 0; // instructions are run without a look at anything else up to here
 const now = () => Math.round(pio.now() ?? clock.nanos);
 const after = (nanos, action) => clock.createAlarm(action).schedule(Math.max(0, nanos));
 function ask(question) {
   write({ t: now(), log, ...question });
   log = [];
+  until = 0; // there may be something to do earlier than was known
   for (const [what, a, b] of readLine()) {
     if (what === 'set') {
       pins[a].outside = b;
@@ -269,31 +271,33 @@ for (const bus of chip.i2c) {
 // ---- the run: an instruction, or straight to what comes next while the processor sleeps
 chip.adc.channelValues.fill(0);
 ask({ ask: 'start' });
-let cycle = 1e9 / chip.clkSys, pioDue = 0;
+let cycle = 1e9 / chip.clkSys;
 chip.addClockListener((hertz) => { cycle = 1e9 / hertz; });
 const reached = job.reached ? new Uint8Array(chip.flash.length >> 1) : null;
-while (clock.nanosCounter < job.end && !crashed) {
-  if (core.waiting) {
-    if (core.pendingInterrupts & core.enabledInterrupts) { // rp2040js sleeps on
-      core.waiting = false;
-      core.interruptsUpdated = true;
-      continue;
-    }
-    let span = Math.max(1, Math.min(job.end, wake) - clock.nanos);
-    if (clock.nextAlarm) span = Math.min(span, clock.nanosToNextAlarm);
-    if (pio.on()) span = Math.min(span, PIO_SLEEP);
-    clock.tick(Math.max(0, span));
-    if (pio.on()) pio.sync();
-  } else {
+function awake() {
+  do {
     if (reached !== null && core.PC >>> 28 === 1) reached[(core.PC & 0xffffff) >> 1] = 1;
-    const span = core.executeInstruction() * cycle, next = clock.nextAlarm;
-    if (next && next.nanos <= clock.nanosCounter + span) clock.tick(span);
-    else clock.nanosCounter += span;
-    if (pio.on() && clock.nanosCounter >= pioDue) {
-      pio.sync();
-      pioDue = clock.nanosCounter + PIO_STEP;
-    }
+    const span = core.executeInstruction() * cycle, at = clock.nanosCounter + span, next = clock.nextAlarm;
+    if (next !== null && next.nanos <= at) clock.tick(span);
+    else clock.nanosCounter = at;
+  } while (clock.nanosCounter < until && !core.waiting && !crashed);
+}
+function asleep() {
+  if (core.pendingInterrupts & core.enabledInterrupts) { // rp2040js sleeps on
+    core.waiting = false;
+    core.interruptsUpdated = true;
+    return;
   }
+  let span = Math.max(1, Math.min(job.end, wake) - clock.nanos);
+  if (clock.nextAlarm) span = Math.min(span, clock.nanosToNextAlarm);
+  if (pio.on()) span = Math.min(span, PIO_SLEEP);
+  clock.tick(Math.max(0, span));
+}
+while (clock.nanosCounter < job.end && !crashed) {
+  until = Math.min(job.end, wake, clock.nanosCounter + PIO_STEP);
+  if (core.waiting) asleep();
+  else awake();
+  if (pio.on()) pio.sync();
   if (clock.nanosCounter >= wake) {
     wake = Infinity;
     ask({ ask: 'wake' });

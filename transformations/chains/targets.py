@@ -1,0 +1,131 @@
+"""The chain `targets`: what programs can be moved to, and what a result for each target is proven by on this machine.
+
+Nothing is compiled or run. A target is proven by what RoboSMi can do with its programs: run them on a simulated microcontroller,
+compile them, or neither.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from robosmi.base.data_text import Json
+from robosmi.errors import RobosmiError
+from robosmi.plugins import content
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts, target_names
+from robosmi.verify.simulation import Engine, engine_names
+from robosmi.verify.toolchains.recipes import InstalledBoard
+from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.tools import find_installed
+
+AT_THE_PINS, COMPILED_ONLY, NOT_COMPILED = "simulated at the pins", "compiled only", "not compiled here"
+"""What a target is proven by, the strongest first."""
+
+
+class KnownTarget(NamedTuple):
+    """A target.
+
+    Attributes:
+        name, title: its name, and that of its board.
+        proven_by: one of the texts above.
+        core: `installed`, `stand-in` or `missing`: what programs for it are compiled with.
+        engine: the installed simulator that runs its programs; None if none does.
+        missing: what to install for a stronger proof; empty if nothing is known.
+    """
+
+    name: str
+    title: str
+    proven_by: str
+    core: str
+    engine: str | None
+    missing: str
+
+    def to_json(self) -> dict[str, Json]:
+        """The contract's form."""
+        return {
+            "name": self.name, "board": self.title, "proven_by": self.proven_by, "core": self.core, "engine": self.engine,
+            "missing": self.missing or None,
+        }  # fmt: skip
+
+
+class TargetTable(NamedTuple):
+    """All targets."""
+
+    known: Sequence[KnownTarget]
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's part of the document."""
+        return {"targets": [target.to_json() for target in self.known]}
+
+    def lines(self) -> list[str]:
+        """The text for a person."""
+        width = max((len(target.name) for target in self.known), default=0)
+        titles = max((len(target.title) for target in self.known), default=0)
+        found = []
+        for target in self.known:
+            with_what = "stand-in for the core" if target.core == "stand-in" else ""
+            more = ", ".join(filter(None, (target.engine, with_what)))
+            found.append(f"{target.name:{width}}  {target.title:{titles}}  {target.proven_by}{f' ({more})' if more else ''}")
+            if target.missing and target.proven_by != AT_THE_PINS:
+                found.append(f"{'':{width}}  do: {target.missing}")
+        return found
+
+
+def targets(project: Path | None = None) -> TargetTable:
+    """All targets of a project, by name.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: the repository's data is damaged.
+    """
+    toolchains = {toolchain.name: toolchain for toolchain in load_toolchains(project)}
+    tools = {name: _tools(toolchain) for name, toolchain in toolchains.items()}
+    engines: list[Engine] = [content("engine", name)() for name in engine_names()]
+    facts = [target_facts(name, project) for name in target_names(project)]
+    return TargetTable([_known(each, toolchains, tools, engines) for each in facts])
+
+
+def _tools(toolchain: Toolchain) -> str:
+    """What to install for a toolchain to compile; empty if it can."""
+    try:
+        find_installed(toolchain)
+    except RobosmiError as error:
+        return str(error.fix or error.message)
+    return ""
+
+
+def _known(facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str, str], engines: Sequence[Engine]) -> KnownTarget:
+    model, board = facts.model, facts.board_model
+    toolchain = toolchains.get(str(model.toolchain.name)) if model.toolchain is not None else None
+    core, missing = "missing", ""
+    if toolchain is not None and toolchain.architecture == facts.architecture:
+        missing = tools[toolchain.name]
+        core = "missing" if missing else "installed"
+    elif toolchain is not None:
+        core, missing = _of_its_core(facts, toolchain)
+    mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
+    serving = [engine for engine in engines if engine.serves(mcu)]
+    ready = next((engine.name for engine in serving if engine.missing() is None), None)
+    if core == "missing":
+        return KnownTarget(facts.target, str(board.title), NOT_COMPILED, core, None, missing)
+    if ready is None:
+        advice = "; or ".join(str(engine.missing()) for engine in serving)
+        return KnownTarget(facts.target, str(board.title), COMPILED_ONLY, core, None, advice)
+    return KnownTarget(facts.target, str(board.title), AT_THE_PINS, core, ready, missing)
+
+
+def _of_its_core(facts: TargetFacts, toolchain: Toolchain) -> tuple[str, str]:
+    """What builds programs for a board by its own core, and what to install."""
+    mapping = next((each for each in facts.model.platform.boardMappings if each.board is facts.board_model), None)  # type: ignore[union-attr]
+    names = [str(mapping.boardId), *map(str, mapping.otherIds)] if mapping is not None else []
+    try:
+        found: InstalledBoard | None = content("query", "installed_board")(names, toolchain)
+    except RobosmiError as error:
+        return "missing", str(error.fix or error.message)
+    if found is None:
+        return "missing", ""
+    return ("stand-in", found.install) if found.stand_in else ("installed", "")
