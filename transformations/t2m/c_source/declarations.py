@@ -144,8 +144,10 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
     )
     if node.kind == cursor_kinds.CXX_METHOD:
         words = [token[3] for token in context.tokens[context.token_at(node.start) : context.token_at(node.end)]]
-        element.virtual = words[:1] == ["virtual"] or None
-        element.pure = (element.virtual and words[-2:] == ["=", "0"]) or None
+        if words[:1] == ["virtual"]:
+            element.virtual = True
+            if words[-2:] == ["=", "0"]:
+                element.pure = True
     context.register(node.cursor, element)
     return element
 
