@@ -76,3 +76,19 @@ void loop() {}
         assert [made for _, made in pulses] == pytest.approx([width] * len(pulses), abs=4), pin
         apart = [later - at for (at, _), (later, _) in pairwise(pulses)]
         assert apart == pytest.approx([period] * len(apart), abs=4), pin
+
+
+def test_a_servo_that_is_set_again_goes_on_until_its_pin_is_driven(tmp_path: Path) -> None:
+    require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
+    require_engine("rp2040js")
+    program = """
+void setup() { servo_angle(16, 900); pause(200); servo_angle(16, 0); pause(200); int32_t seen = get_state(16); pause(100); high(16);
+  pause(100); Serial.println(seen); }
+void loop() {}
+"""
+    names = ("simpletools.h/pause", "simpletools.h/high", "simpletools.h/get_state", "servo.h/servo_angle")
+    trace = run(names, program, 700, tmp_path)
+    widths = [round(width) for _, width in trace.pulses("GP16")]
+    assert len(widths) >= 23
+    assert {width for width in widths if abs(width - 1400) > 4 and abs(width - 500) > 4} <= {*widths[-1:]}
+    assert trace.levels("GP16")[-1][1] == 1

@@ -30,7 +30,8 @@ inline void repeat(repeating_timer_t &timer, uint32_t us, repeating_timer_callba
 
 //# helper Io
 //#   include: <hardware/gpio.h>
-//#   fidelity: output latch and direction are independent in this chip, too. The first use of a pin makes it an input without pulls
+//#   fidelity: output latch and direction are independent in this chip, too. The first use of a pin makes it an input without pulls; one that
+//#   fidelity: a servo, a tone or a wave has is theirs until it is driven
 static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
 
 struct Io {
@@ -38,7 +39,7 @@ struct Io {
   uint32_t mask;
 
   explicit Io(int32_t number) : pin(number), mask(number >= 0 && number < NUM_DIGITAL_PINS && number < 30 ? 1UL << number : 0) {
-    if (mask && gpio_get_function(pin) != GPIO_FUNC_SIO) pinMode(pin, INPUT);
+    if (mask && gpio_get_function(pin) == GPIO_FUNC_NULL) pinMode(pin, INPUT);
   }
   bool wired() const { return mask != 0; }
   bool high() const { return gpio_get_all() & mask; }
@@ -60,6 +61,7 @@ struct Io {
   }
   void drive(bool output) const {
     own(output);
+    if (mask && gpio_get_function(pin) != GPIO_FUNC_SIO) pinMode(pin, INPUT);  // a servo or a tone had it
     if (output) gpio_set_dir_out_masked(mask);
     else gpio_set_dir_in_masked(mask);
   }
