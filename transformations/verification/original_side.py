@@ -26,7 +26,7 @@ from robosmi.transformations.verification.bound_devices.simulated_kinds import S
 from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, moved_devices, put_down_anywhere
 from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_calls import LibraryCall, library_calls, with_place
+from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
 from robosmi.verify.scenario import Scenario
@@ -96,14 +96,10 @@ _FACTORS = (
 """The varied runs: by which factors the costs of the program's steps differ, as they do on another microcontroller."""
 _SCALED = 2
 """Number of varied runs, the first ones, that differ only in the costs of all steps: higher in one, lower in the other."""
-_FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * (seed % 3) / 2) for seed in range(6, 16))
+_FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * (seed % 3) / 2) for seed in range(6, 14))
 """Further varied runs for a scenario in which the migrated program differs: with noise, and with inputs moved by other times in
-each; in the first two all inputs are moved by the greatest time, earlier and later, in the next two by a pass of the program's
-loop, if that is longer.
+each; in the first two all inputs are moved by the greatest time, earlier and later.
 """
-_FEWEST_PASSES = 4
-_LONGEST_PASS_MS = 200.0
-"""A loop with longer passes is not taken for one that polls its inputs, in milliseconds."""
 
 
 class SourceRuns(Struct, frozen=True):
@@ -366,11 +362,9 @@ def run_further(
     devices = played(ports, scenario, target=False)
     until = used_s() + limit_s
     channels, rests = runs.channels, runs.rests
-    ways = [-MOVED_MS, MOVED_MS]
-    if (pass_ms := longest_pass_ms(library_calls(program, devices, 0, scenario.horizon_ms * 1000, limit_s))) > MOVED_MS:
-        ways += [-pass_ms, pass_ms]
     for number, variation in enumerate(_FURTHER):
         chance = random.Random(variation.seed)
+        ways = (-MOVED_MS, MOVED_MS)
         moved = moved_devices(devices, chance, ways[number] if number < len(ways) else None)
         run = _run(program, ports, scenario, moved, until, variation)
         if run.status in LIMITS:
@@ -379,16 +373,6 @@ def run_further(
         channels = {name: [[*events, seen[name][sight]] for sight, events in enumerate(each)] for name, each in channels.items()}
         rests = _with_rests(rests, run.trace, ports)
     return replace(runs, channels=channels, rests=rests)
-
-
-def longest_pass_ms(calls: Sequence[LibraryCall]) -> float:
-    """The longest time between two calls from one place, which is how late a program that polls may see a change; 0 without."""
-    places: dict[tuple[str, str, int], list[float]] = {}
-    for call in calls:
-        places.setdefault((call.function, call.file, call.line), []).append(call.at_us / 1000)
-    often = (times for times in places.values() if len(times) > _FEWEST_PASSES)
-    between = (after - before for times in often for before, after in pairwise(times))
-    return max((each for each in between if each <= _LONGEST_PASS_MS), default=0.0)
 
 
 def _with_rests(

@@ -49,8 +49,6 @@ _RESOLUTION_MS = 0.25
 _FRAME_MS = 21.0
 _REST_MS = 5.0
 """Tolerance in ms for a low level, which ends when the program's loop comes round: the code in between takes other times."""
-_PERIODS = 2
-"""The periods by which a timer's tone may end otherwise: it ends with a whole one, and an interrupt counts the last."""
 _OWN_HZ = 0.05
 """Relative difference of a wave that a program makes edge by edge, between runs of the source: its steps set the frequency."""
 RESONATOR = 0.005
@@ -229,7 +227,7 @@ def compare(
         lasts = (source[after[0]].at_us - source[own].at_us) / 1000
         theirs_last = (target[after[1]].at_us - target[other].at_us) / 1000
         vague_ms = _vague_ms(source[own], target[other]) + _vague_ms(source[after[0]], target[after[1]])
-        if WAVE in (source[own - 1].kind, source[after[0]].kind):
+        if source[own].pulses and WAVE in (source[own - 1].kind, source[after[0]].kind):
             vague_ms += _period_ms(source[own])
         if not _lasts_alike(source[own], source[after[0]], lasts, theirs_last, off[own].duration_ms + vague_ms):
             message = lasts_otherwise(source[own], lasts, theirs_last)
@@ -310,7 +308,7 @@ def _lasts_alike(event: ActivityEvent, after: ActivityEvent, source_ms: float, t
     """Whether the durations of an event agree on both sides; next to servo frames only to within the period of a frame."""
     coarse = _REST_MS if event.value == (0,) else 0.0
     if event.kind == WAVE and not event.pulses:
-        coarse = _PERIODS * 1000 / float(event.value[0])
+        coarse = _period_ms(event)  # a timer's wave ends with a whole period
     if PULSES in (event.kind, after.kind):
         coarse = _FRAME_MS * (1 + (event.value == (0,)))
     return abs(target_ms - source_ms) <= _DURATION * source_ms + _RESOLUTION_MS + coarse + beyond_ms

@@ -5,13 +5,11 @@ from __future__ import annotations
 import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.transformations.verification.original_side import longest_pass_ms
 from robosmi.transformations.verification.search.scenario_goals import UNDISTURBED
 from robosmi.transformations.verification.search.scenario_inputs import press, scenario_inputs
 from robosmi.transformations.verification.search.scenario_trials import Trials
 from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.transformations.verification.search.undisturbed_search import try_undisturbed
-from robosmi.verify.original_calls import LibraryCall
 from tests.host_model.bench import built
 from tests.tools import require_tools
 
@@ -44,10 +42,3 @@ def test_what_a_button_starts_is_watched_until_it_has_waited_often() -> None:
         assert len(trials.found.scenarios) == before + 1
         assert any(place[0] == UNDISTURBED for place in trials.reached_by[-1])
         assert scenario.horizon_ms >= 900 + 6 * 700
-
-
-def test_a_pass_is_the_longest_time_between_two_calls_from_one_place_that_polls() -> None:
-    polled = [LibraryCall(1000.0 * at, "input", "p.c", 4) for at in (0, 20, 40, 160, 180, 200)]
-    slept = [LibraryCall(1000.0 * at, "pause", "p.c", 9) for at in (0, 900, 1800, 2700, 3600)]
-    assert longest_pass_ms([*polled, *slept]) == 120.0
-    assert longest_pass_ms(polled[:3]) == 0.0
