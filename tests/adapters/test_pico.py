@@ -82,8 +82,8 @@ def test_a_servo_that_is_set_again_goes_on_until_its_pin_is_driven(tmp_path: Pat
     require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
     require_engine("rp2040js")
     program = """
-void setup() { servo_angle(16, 900); pause(200); servo_angle(16, 0); pause(200); int32_t seen = get_state(16); pause(100); high(16);
-  pause(100); Serial.println(seen); }
+void setup() { servo_angle(16, 900); pause(200); servo_angle(16, 0); pause(200); int32_t seen = get_state(16); pause(100);
+  high(16); pause(100); Serial.println(seen); }
 void loop() {}
 """
     names = ("simpletools.h/pause", "simpletools.h/high", "simpletools.h/get_state", "servo.h/servo_angle")

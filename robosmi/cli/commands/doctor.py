@@ -211,6 +211,7 @@ def own_boards(project: Path | None = None) -> list[Finding]:
     with acting(project):
         for toolchain in load_toolchains(project):
             boards = [each for each in load_boards(toolchain.platform, project) if each.file and not _built_in(each)]
+            boards = [each for each in boards if each.architecture == toolchain.architecture]
             if boards and find_core(toolchain) is not None:
                 with suppress(MissingToolError):  # said of the tool
                     installed = find_installed(toolchain)
