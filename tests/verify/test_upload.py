@@ -28,6 +28,8 @@ from tests.running import run
 from tests.tools import require_tools
 from tests.verify.boot_loaders import waiting
 
+AVR_BOARDS = [board for board in load_boards("arduino") if board.architecture == "avr"]
+
 CASES = Path(__file__).parent / "cases"
 CORE = Path("/usr/share/arduino/hardware/arduino/avr")
 SAYS = json.loads((Path(__file__).parent / "uploader_says.json").read_text(encoding="utf-8"))
@@ -152,7 +154,7 @@ def test_each_board_is_asked_for_as_the_core_asks_and_the_real_tool_takes_it(cas
     shutil.copytree(CASES / case, tmp_path / "out")
     compile_into(tmp_path / "out", "uno")
     (record,) = (tmp_path / "out" / "build").glob("*.build.json")
-    text, names = record.read_text(), {board.name: board.full_names for board in load_boards("arduino")}
+    text, names = record.read_text(), {board.name: board.full_names for board in AVR_BOARDS}
     assert len(names) == 16
     for name, full_names in names.items():
         record.write_text(text.replace('"uno"', f'"{name}"'))
@@ -167,13 +169,13 @@ def test_each_board_is_asked_for_as_the_core_asks_and_the_real_tool_takes_it(cas
 
 def test_boards_that_wait_for_a_program_only_after_a_touch_are_those_of_the_core() -> None:
     require_tools("arduino-core-avr")
-    touched = {board.name for board in load_boards("arduino") if board.boot_loader and board.boot_loader.touch_baud == 1200}
-    assert touched == {board.name for board in load_boards("arduino") if _facts()[board.full_names[0]]["touch"] == "true"}
+    touched = {board.name for board in AVR_BOARDS if board.boot_loader and board.boot_loader.touch_baud == 1200}
+    assert touched == {board.name for board in AVR_BOARDS if _facts()[board.full_names[0]]["touch"] == "true"}
 
 
 def test_the_boot_loaders_of_the_boards_take_what_the_core_says() -> None:
     require_tools("arduino-core-avr")
-    for board in load_boards("arduino"):
+    for board in AVR_BOARDS:
         assert board.boot_loader is not None
         assert str(board.boot_loader.takes_bytes) == _facts()[board.full_names[0]]["maximum_size"], board.name
         assert board.flash_bytes == board.boot_loader.takes_bytes
@@ -444,7 +446,7 @@ def _facts() -> dict[str, dict[str, str]]:
         "lilypad": "atmega328", "pro": "16MHzatmega328",
     }  # fmt: skip
     facts = {}
-    for full_name in [name for board in load_boards("arduino") for name in board.full_names[:1]]:
+    for full_name in [name for board in AVR_BOARDS for name in board.full_names[:1]]:
         _, _, board, *options = full_name.split(":")
         cpu = options[0].partition("=")[2] if options else chosen.get(board, "")
 

@@ -27,8 +27,8 @@ SPOILT = {
         "pause", 12, "Lamp (P26)", r"285\.\d+ ms; .* 300\.\d+ ms",
     ),
     "frequency": (
-        "tone(io.pin, (unsigned int)frequency);", "tone(io.pin, 2500);",
-        "freqout", 14, "Speaker (P4)", r"2500\.0\d Hz; .* 2999\.99 Hz",
+        "begin_tone(io, frequency);", "begin_tone(io, 2500);",
+        "freqout", 14, "Speaker (P4)", r"2500(\.0\d)? Hz; .* 2999\.99 Hz",
     ),
     "input": ("return io.high();", "return !io.high();", "input", 8, "console", r"'presses 1' 50[01]\.\d ms"),
     "text": (

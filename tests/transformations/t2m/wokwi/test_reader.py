@@ -202,7 +202,7 @@ def test_a_program_moves_to_one_board_only(boards: list[Any], words: str, tmp_pa
     assert refused.value.fix
 
 
-@pytest.mark.parametrize("kind", ["board-esp32-devkit-c-v4", "wokwi-pi-pico", "wokwi-esp32-devkit-v1", "board-xiao-esp32-c3"])
+@pytest.mark.parametrize("kind", ["board-esp32-devkit-c-v4", "wokwi-esp32-devkit-v1", "board-xiao-esp32-c3"])
 def test_a_board_of_another_family_is_read_and_no_program_is_moved_to_it(kind: str, tmp_path: Path) -> None:
     path = diagram(tmp_path, [part("board", kind), LED], [["board:D5", "led1:A", "", []], ["board:GND.1", "led1:C", "", []]])
     made = hardware(path)
