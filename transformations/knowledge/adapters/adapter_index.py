@@ -125,9 +125,9 @@ class AdapterIndex:
         """The pieces for a header, folder by folder."""
         groups: dict[Path, list[AdapterPiece]] = {folder: [] for folder in self.folders}
         for file in self.files(header):
-            for piece in file.pieces:
-                folder = next(each for each in self.folders if Path(piece.location.path).is_relative_to(each))
-                groups[folder].append(piece)
+            if file.pieces:  # all of them in one place
+                path = Path(file.pieces[0].location.path)
+                groups[next(folder for folder in self.folders if path.is_relative_to(folder))] += file.pieces
         return [pieces for pieces in groups.values() if pieces]
 
     def task(self, name: str, header: str) -> str:

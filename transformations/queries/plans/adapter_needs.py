@@ -95,9 +95,12 @@ class AdapterPieces:
 
     def _fits(self, piece: AdapterPiece, mcu: str) -> bool:
         """Whether a variant's conditions (processor, members, calls; empty ones always hold) fit the program."""
-        processor = ((piece.mcus, {mcu}), (piece.architectures, {self.architecture}))
-        wanted = ((piece.members, self.members), (piece.beside, self.calls), *processor)
-        return all(not names or not there.isdisjoint(names) for names, there in wanted)
+        return (
+            (not piece.mcus or mcu in piece.mcus)
+            and (not piece.architectures or self.architecture in piece.architectures)
+            and (not piece.members or not self.members.isdisjoint(piece.members))
+            and (not piece.beside or not self.calls.isdisjoint(piece.beside))
+        )
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
         """All variants of a piece in order of precedence."""

@@ -75,9 +75,11 @@ def own_nodes(program: GeneratedProgram, unit: int) -> list[GeneratedNode]:
 
     def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
         raw = bytes(parent)
-        if stack[-1].raw != raw and any(above.raw == raw for above in stack):  # a lambda's captures have a parent not visited
-            while stack[-1].raw != raw:
-                stack.pop()
+        if stack[-1].raw != raw:
+            for depth in range(len(stack) - 1, 0, -1):  # a lambda's captures have a parent that was not visited
+                if stack[depth - 1].raw == raw:
+                    del stack[depth:]
+                    break
         node = GeneratedNode(cursor.kind, bytes(cursor))
         owner = stack[-1]
         if owner.children is _LEAF:

@@ -194,9 +194,11 @@ class TreeReader:
         def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             try:
                 raw = bytes(parent)
-                if stack[-1].raw != raw and any(node.raw == raw for node in stack):
-                    while stack[-1].raw != raw:
-                        stack.pop()
+                if stack[-1].raw != raw:
+                    for depth in range(len(stack) - 1, 0, -1):
+                        if stack[depth - 1].raw == raw:
+                            del stack[depth:]
+                            break
                 owner = stack[-1]  # a lambda's captures have a parent that was not visited
                 found = place(cursor)
                 start, end = found.begin, found.end
