@@ -63,7 +63,7 @@ def run(uses: Iterable[str], program_text: str, milliseconds: float, folder: Pat
     report = compile_sketch(sketch, "pico", keep=folder)
     assert report.ok, report.diagnostics
     assert report.elf is not None
-    return simulate(job(report.elf, report.elf, load_board("pico"), milliseconds * 1000, []))
+    return simulate(job(report.elf, report.hex, load_board("pico"), milliseconds * 1000, []))
 
 
 def main(only: str = "") -> int:

@@ -197,7 +197,7 @@ def simulate(
         board = stored if stored is not None and stored.name == report.board else load_board(report.board)
         devices = played(ports if models is not None else _bare(board, asked), asked, target=True)
         announce(f"simulate {horizon_us / 1e6:g} s")
-        trace = run_job(job(report.elf, report.hex or report.elf, board, horizon_us, devices), engine)
+        trace = run_job(job(report.elf, report.hex, board, horizon_us, devices), engine)
     if vcd is not None:
         try:
             write_atomic(vcd, vcd_text({str(board.name): trace}, f"{output} on {trace.engine}").encode())

@@ -15,6 +15,7 @@ from robosmi.errors import RobosmiError
 from robosmi.plugins import content
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts, target_names
 from robosmi.verify.simulation import Engine, engine_names
+from robosmi.verify.toolchains.boards import load_boards
 from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.toolchains.tools import find_installed
@@ -86,7 +87,7 @@ def targets(project: Path | None = None) -> TargetTable:
     tools = {name: _tools(toolchain) for name, toolchain in toolchains.items()}
     engines: list[Engine] = [content("engine", name)() for name in engine_names()]
     facts = [target_facts(name, project) for name in target_names(project)]
-    return TargetTable([_known(each, toolchains, tools, engines) for each in facts])
+    return TargetTable([_known(each, toolchains, tools, engines, project) for each in facts])
 
 
 def _tools(toolchain: Toolchain) -> str:
@@ -98,7 +99,9 @@ def _tools(toolchain: Toolchain) -> str:
     return ""
 
 
-def _known(facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str, str], engines: Sequence[Engine]) -> KnownTarget:
+def _known(
+    facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str, str], engines: Sequence[Engine], project: Path | None
+) -> KnownTarget:  # fmt: skip
     model, board = facts.model, facts.board_model
     toolchain = toolchains.get(str(model.toolchain.name)) if model.toolchain is not None else None
     core, missing = "missing", ""
@@ -106,7 +109,7 @@ def _known(facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str
         missing = tools[toolchain.name]
         core = "missing" if missing else "installed"
     elif toolchain is not None:
-        core, missing = _of_its_core(facts, toolchain)
+        core, missing = _of_its_core(facts, toolchain, project)
     mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
     serving = [engine for engine in engines if engine.serves(mcu)]
     ready = next((engine.name for engine in serving if engine.missing() is None), None)
@@ -118,10 +121,10 @@ def _known(facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str
     return KnownTarget(facts.target, str(board.title), AT_THE_PINS, core, ready, missing)
 
 
-def _of_its_core(facts: TargetFacts, toolchain: Toolchain) -> tuple[str, str]:
+def _of_its_core(facts: TargetFacts, toolchain: Toolchain, project: Path | None) -> tuple[str, str]:
     """What builds programs for a board by its own core, and what to install."""
-    mapping = next((each for each in facts.model.platform.boardMappings if each.board is facts.board_model), None)  # type: ignore[union-attr]
-    names = [str(mapping.boardId), *map(str, mapping.otherIds)] if mapping is not None else []
+    boards = load_boards(toolchain.platform, project)
+    names = next((board.full_names for board in boards if board.name == facts.board_model.name), ())
     try:
         found: InstalledBoard | None = content("query", "installed_board")(names, toolchain)
     except RobosmiError as error:

@@ -270,13 +270,17 @@ def _original(models: MigrationModels, place: Path, trusted: bool = False) -> Or
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
-    recorded = {str(entry.path): models.files[entry.path] for entry in plan.inputs if entry.kind == "source"}
     stored = place / "stored"
-    files = written_sources(list(plan.program.units), recorded, stored)
+    files = written_sources(list(plan.program.units), _sources(models), stored)
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
     with acting(host=True):
         model = load_host_model(str(plan.source.name))
         return original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted)
+
+
+def _sources(models: MigrationModels) -> dict[str, bytes]:
+    """Path -> content of the program's files, as the plan has recorded them."""
+    return {str(entry.path): models.files[entry.path] for entry in models.plan.inputs if entry.kind == "source"}
 
 
 class _Made(Struct):
@@ -304,8 +308,7 @@ def _cases(
     assert plan.program is not None
     steps = most_steps(plan.program)
     texts, numbers, types = texts_understood(plan), numbers_understood(plan), reads_console(plan)
-    sources = {str(entry.path): models.files[entry.path] for entry in plan.inputs if entry.kind == "source"}
-    digest = search_digest(program, sources, ports, texts, types, seed, budget_s, steps, numbers)
+    digest = search_digest(program, _sources(models), ports, texts, types, seed, budget_s, steps, numbers)
     if (ended := stored_search(stored, digest, program)) is not None:
         verdict.racy, made.racy_counts = ended.racy, ended.racy_counts
         return cases, made

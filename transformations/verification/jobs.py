@@ -38,13 +38,13 @@ def shows_console(mcu: str) -> bool:
 
 
 def job(
-    elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = (),
+    elf: Path, hex_file: Path | None, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = (),
     brief: Sequence[str] = (),
 ) -> Job:  # fmt: skip
     """The job of running a program on a board.
 
     Args:
-        elf, hex_file: the program, in both formats.
+        elf, hex_file: the program, in both formats; None where the board's core makes no Intel HEX.
         board: the board.
         horizon_us: how long to simulate, in microseconds.
         devices: the devices that are connected.
@@ -69,7 +69,17 @@ def job(
     analog = {label: channels[number] for label, number in numbers.items() if number < len(channels)}
     supply = round(board.volts * 1000)
     return Job(
-        str(elf), str(hex_file), mcu, board.clockHertz, supply, pins, analog, timers, horizon_us, tuple(devices), tuple(brief)
+        str(elf),
+        str(hex_file or elf),
+        mcu,
+        board.clockHertz,
+        supply,
+        pins,
+        analog,
+        timers,
+        horizon_us,
+        tuple(devices),
+        tuple(brief),
     )
 
 

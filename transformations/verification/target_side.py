@@ -77,9 +77,7 @@ class TargetSide:
         """The outcome of a scenario, and the number of the engine that it is from: the first that does not crash, if any."""
         assert self._report.elf is not None
         devices = played(self._ports, scenario, target=True)
-        asked = job(
-            self._report.elf, self._report.hex or self._report.elf, self.board, scenario.horizon_ms * 1000, devices, self._brief
-        )
+        asked = job(self._report.elf, self._report.hex, self.board, scenario.horizon_ms * 1000, devices, self._brief)
         crash: VerificationError | None = None
         for number, name in enumerate(self._names):
             try:

@@ -210,8 +210,8 @@ def own_boards(project: Path | None = None) -> list[Finding]:
         return found
     with acting(project):
         for toolchain in load_toolchains(project):
-            boards = [each for each in load_boards(toolchain.platform, project) if each.file and not _built_in(each)]
-            boards = [each for each in boards if each.architecture == toolchain.architecture]
+            of_core = (each for each in load_boards(toolchain.platform, project) if each.architecture == toolchain.architecture)
+            boards = [each for each in of_core if each.file and not _built_in(each)]
             if boards and find_core(toolchain) is not None:
                 with suppress(MissingToolError):  # said of the tool
                     installed = find_installed(toolchain)

@@ -37,7 +37,7 @@ def run(out: Path, folder: Path, devices: list[DeviceUse], seconds: float) -> Pi
     assert report.ok, "\n".join(str(finding) for finding in report.diagnostics)
     assert report.fits
     assert report.elf is not None
-    return simulate(job(report.elf, report.elf, load_board("pico"), seconds * 1e6, devices))
+    return simulate(job(report.elf, report.hex, load_board("pico"), seconds * 1e6, devices))
 
 
 @pytest.mark.parametrize("study", ["line_follower", "environmental_monitoring"])

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from robosmi.transformations.t2m.c_source.parsing import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
+from robosmi.transformations.t2m.c_source.parsing.tree import leave_to
 
 MAX_DEPTH = 700
 """Nesting up to which cursors are read; what is deeper is missing, so its calls are counted as not seen."""
@@ -76,10 +77,7 @@ def own_nodes(program: GeneratedProgram, unit: int) -> list[GeneratedNode]:
     def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
         raw = bytes(parent)
         if stack[-1].raw != raw:
-            for depth in range(len(stack) - 1, 0, -1):  # a lambda's captures have a parent that was not visited
-                if stack[depth - 1].raw == raw:
-                    del stack[depth:]
-                    break
+            leave_to(stack, raw)
         node = GeneratedNode(cursor.kind, bytes(cursor))
         owner = stack[-1]
         if owner.children is _LEAF:

@@ -8,6 +8,7 @@ The builders know what the kinds mean.
 from __future__ import annotations
 
 import os
+from typing import Protocol, TypeVar
 
 from robosmi.transformations.t2m.c_source.parsing import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.clang import INCLUSION, MACRO_DEFINITION, MACRO_EXPANSION, Cursor
@@ -64,6 +65,27 @@ class Node:
 
     def __repr__(self) -> str:
         return f"<Node {self.kind} {self.start}..{self.end}{' macro' if self.from_macro else ''} {len(self.children)} children>"
+
+
+class _WithCursor(Protocol):
+    @property
+    def raw(self) -> bytes: ...
+
+
+_Node = TypeVar("_Node", bound=_WithCursor)
+
+
+def leave_to(stack: list[_Node], raw: bytes) -> None:
+    """Take the nodes behind a parent from a stack; none if the parent is not there, as that of a lambda's captures.
+
+    Args:
+        stack: the nodes from the top to where a visit is.
+        raw: the bytes of the parent's cursor.
+    """
+    for depth in range(len(stack) - 1, 0, -1):
+        if stack[depth - 1].raw == raw:
+            del stack[depth:]
+            return
 
 
 class Expansion:
@@ -195,11 +217,8 @@ class TreeReader:
             try:
                 raw = bytes(parent)
                 if stack[-1].raw != raw:
-                    for depth in range(len(stack) - 1, 0, -1):
-                        if stack[depth - 1].raw == raw:
-                            del stack[depth:]
-                            break
-                owner = stack[-1]  # a lambda's captures have a parent that was not visited
+                    leave_to(stack, raw)
+                owner = stack[-1]
                 found = place(cursor)
                 start, end = found.begin, found.end
                 if first <= start <= end <= last:
