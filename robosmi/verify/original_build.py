@@ -61,6 +61,8 @@ class OriginalProgram(Struct, frozen=True):
         unmodelled: functions that it calls and that neither it nor the model has; reaching one ends a run.
         counters: where each function's coverage counters are in the data that a run leaves.
         data_bytes: the size of that data.
+        store_bytes: how many bytes of the board's memory that it keeps without power are told apart; what lies beyond is recorded
+            at its address modulo this number, as on a target with less memory. All if 0.
     """
 
     binary: Path
@@ -71,6 +73,7 @@ class OriginalProgram(Struct, frozen=True):
     unmodelled: tuple[str, ...]
     counters: tuple[Counters, ...]
     data_bytes: int
+    store_bytes: int = 0
 
 
 def build_original(
