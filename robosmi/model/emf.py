@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Never, cast
 
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
-from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node
+from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node, refuse_unknown_attribute
 from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.elements.element_factory import as_data, new as new, refuse_unnamed, unlink
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
@@ -157,6 +157,10 @@ class EmfModel(TypedModel):
         models = {target.name: content, **neighbouring_models(target, roots, others or {}, read)}
         places = metamodel_places(self.path or target, self._schema_locations, target)
         write_atomic(target, to_xmi(models, [target.name], schema_locations=places)[target.name])
+
+    def __setattr__(self, name: str, value: object) -> None:
+        refuse_unknown_attribute(self, name)
+        super().__setattr__(name, value)
 
     def touched(self) -> bool:
         """Whether an element of it was changed since this was asked last; of a new model, yes."""
