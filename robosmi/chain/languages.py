@@ -222,7 +222,7 @@ def _new(step: Step, doing: StepContext) -> Model:
         from robosmi.model.plain_xml import XmlModel  # few chains make plain XML
 
         return XmlModel.new(step.file, step.makes)
-    return EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes)
+    return EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes, step.file)
 
 
 def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:
