@@ -311,6 +311,8 @@ class EmfModel(TypedModel):
     def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicEObject:
         """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
 
+        With the value of a container reference it is put there at once (`M.Node(group=g)`).
+
         Raises:
             UnknownTypeError: there is no such type.
             ModelError: it is abstract, or has no such feature.
@@ -318,6 +320,8 @@ class EmfModel(TypedModel):
         wanted = self.type_named(kind) if isinstance(kind, str) else kind
         refuse_unnamed(wanted, values)
         made: DynamicEObject = new(wanted, **features)
+        if isinstance(made.eContainer(), EObject):
+            return made
         current = not self._watch.changed
         self.add(made)
         if current and not contents(made):  # the common case: extents grow by one at the end

@@ -340,12 +340,7 @@ def refuse_unknown_attribute(model: Model, name: str) -> None:
     Raises:
         ModelError: it has no such attribute.
     """
-    if (
-        type(model).__module__.startswith("robosmi.")
-        and name[:1] != "_"
-        and name not in _SET_BY_MODELS
-        and not hasattr(type(model), name)
-    ):
+    if type(model).__module__ in _GUARDED and name[:1] != "_" and name not in _SET_BY_MODELS and not hasattr(type(model), name):
         raise ModelError(
             f"the model {model.name} has no '{name}' that can be set",
             fix="set features of elements; make elements with M.Type(...), add roots with add(ELEMENT)",

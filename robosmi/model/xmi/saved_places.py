@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 from urllib.parse import unquote
 
-from robosmi.model.elements.ecore import DynamicEObject, EObject
+from robosmi.model.elements.ecore import EObject
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import own_resource_of
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
@@ -54,7 +54,7 @@ def text_of(
 
 
 def models_around(
-    target: Path, own: Iterable[DynamicEObject], given: Mapping[str, Root], read: Mapping[Path, Sequence[DynamicEObject]]
+    target: Path, own: Iterable[EObject], given: Mapping[str, Root], read: Mapping[Path, Sequence[EObject]]
 ) -> dict[str, list[EObject]]:
     """The model that is written and those that its references may lead to, by their file names seen from its folder.
 
@@ -64,7 +64,8 @@ def models_around(
         given: models that the caller names.
         read: the root elements of other files, by absolute path.
     """
-    found = {target.name: list(own), **{name: roots_in(root) for name, root in given.items()}}
+    found: dict[str, list[EObject]] = {target.name: list(own)}
+    found |= {name: roots_in(root) for name, root in given.items()}
     taken = {id(root) for roots in found.values() for root in roots}
     for place, known in read.items():
         name = _seen_from(target, str(place))
