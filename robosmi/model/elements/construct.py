@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from robosmi.errors import ModelError
 from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, features_fixed, new_slot, note_link
 from robosmi.model.elements.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
@@ -68,22 +69,27 @@ def initialise(element: EObject, features: dict[str, Any]) -> None:
     """
     cls = element.__class__
     plan = _PLANS.get(cls) or _plan(cls)
+    if not features.keys() <= plan.keys():
+        raise unknown_feature(element, next(name for name in features if name not in plan))
     slots = element.__dict__
     bare_class = plan.bare.get
-    for name, value in features.items():
-        if value.__class__ is bare_class(name):  # two of three values in models of code: numbers of lines and columns, and names
-            slots[name] = value
-            continue
-        if value is None:
-            continue
-        entry = plan.get(name)
-        if entry is None:
-            raise unknown_feature(element, name)
-        bare, key, feature, put, known = entry
-        if value.__class__ is bare:
-            slots[key] = value
-        elif put is None or not put(element, slots, key, feature, known, value):
-            setattr(element, name, value)
+    try:
+        for name, value in features.items():
+            if value.__class__ is bare_class(name):  # two of three values in models of code: numbers of lines, and names
+                slots[name] = value
+                continue
+            if value is None:
+                continue
+            bare, key, feature, put, known = plan[name]
+            if value.__class__ is bare:
+                slots[key] = value
+            elif put is None or not put(element, slots, key, feature, known, value):
+                setattr(element, name, value)
+    except ModelError:
+        from robosmi.model.elements.element_factory import disconnect  # which imports the classes of elements
+
+        disconnect(element)
+        raise
     if SET_FEATURES in slots:  # else it is read off the slots when somebody asks
         slots[SET_FEATURES].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
 

@@ -46,12 +46,26 @@ def new(kind: Kind, /, **features: Any) -> Any:
                 f"{eclass.name} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(sorted(known))}"
             )
     made = of_ecore(cls) if cls.__module__ == "pyecore.ecore" else cls()
-    for name, value in features.items():
-        if known[name].many:
-            getattr(made, name).extend(value)
-        elif value is not None:
-            setattr(made, name, value)
+    try:
+        for name, value in features.items():
+            if known[name].many:
+                getattr(made, name).extend(value)
+            elif value is not None:
+                setattr(made, name, value)
+    except ModelError:
+        disconnect(made)
+        raise
     return made
+
+
+def disconnect(made: Any) -> None:
+    """Take an element that could not be made out of its container and out of all references."""
+    for feature in all_features(made.eClass):
+        slot = made.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
+        if slot is not None and feature.many:
+            read(slot).clear()
+        elif slot is not None and read(slot) is not None:
+            setattr(made, key_of(feature), None)
 
 
 def refuse_unnamed(kind: Kind, values: Sequence[object]) -> None:
