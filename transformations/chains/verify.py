@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from robosmi.base.progress_events import announce
+from robosmi.base.progress_events import announce, remark
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, VerificationError
@@ -35,6 +35,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import (
     resting_pins,
     texts_understood,
 )
+from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, compare_scenarios
 from robosmi.transformations.verification.judgement.source_reached import cover
@@ -57,7 +58,14 @@ from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
-from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, Verdict
+from robosmi.verify.traces.verdict import (
+    DIFFERENT_VERDICT,
+    NO_DIFFERENCE,
+    NOT_COMPILED,
+    NOT_DECIDABLE,
+    SearchEnd,
+    Verdict,
+)
 
 FOLDER = "scenarios"
 """The folder of stored scenarios, beside the models."""
@@ -109,6 +117,8 @@ def verify(
     vcd: Path | None = None,
     generate: bool = True,
     budget_s: float = 240.0,
+    clock_s: float | None = None,
+    horizon_ms: float | None = None,
     trust_original: bool = False,
 ) -> Verified:
     """Compare a migrated program with its original.
@@ -120,7 +130,9 @@ def verify(
         seed: of the search for scenarios.
         vcd: file for both traces of the first scenario that differs, else of the one in which most happens.
         generate: whether to search for scenarios where none are given.
-        budget_s: seconds of this machine's time for that search.
+        budget_s: seconds of a typical machine's time for that search.
+        clock_s: its limit in seconds by the clock, instead of three times the budget.
+        horizon_ms: how long its scenarios last at most, in milliseconds; what the program needs if None.
         trust_original: whether the original may run where the system has no sandbox for it.
 
     Raises:
@@ -168,6 +180,8 @@ def verify(
         verdict.engine = side.engine
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
+        if dead := unreachable_functions(plan.program.units):
+            remark(f"not reachable from main, so not compared: {', '.join(sorted(dead.values()))}")
         (folder / "source").mkdir()
         announce("compile the original")
         try:
@@ -180,8 +194,9 @@ def verify(
         verdict.original = f"{program.model.title}, {program.compiler}"
         called = {str(use.name) for use in plan.adapterUses}
         verdict.not_compared += [what for what, functions in program.model.stored.items() if called.intersection(functions)]
+        limits = _Limits(budget_s, clock_s, horizon_ms)
         cases, made = _cases(
-            program, ports, models, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
+            program, ports, models, given, plan_file.parent / FOLDER, seed if generate else None, verdict, limits
         )
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
@@ -208,7 +223,9 @@ def verify(
         files = VerifiedFiles()
         files.store_scenarios(made.new, plan_file.parent / FOLDER)
         if made.search is not None:
-            files.store_search(made.search, verdict.racy, made.racy_counts, plan_file.parent / FOLDER)
+            files.store_search(
+                made.search, verdict.racy, made.racy_counts, plan_file.parent / FOLDER, verdict.search or SearchEnd()
+            )
         if kept:
             shown = kept[_shown(verdict)]
             files.write_picture(plan_file.parent / PICTURE, shown)
@@ -283,6 +300,14 @@ def _sources(models: MigrationModels) -> dict[str, bytes]:
     return {str(entry.path): models.files[entry.path] for entry in models.plan.inputs if entry.kind == "source"}
 
 
+class _Limits(Struct, frozen=True):
+    """How far a search for scenarios goes; see `search`."""
+
+    budget_s: float
+    clock_s: float | None
+    horizon_ms: float | None
+
+
 class _Made(Struct):
     new: list[Scenario] = []
     racy_counts: list[bytes] = []
@@ -292,7 +317,7 @@ class _Made(Struct):
 
 def _cases(
     program: OriginalProgram, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
-    seed: int | None, verdict: Verdict, budget_s: float,
+    seed: int | None, verdict: Verdict, limits: _Limits,
 ) -> tuple[list[Case], _Made]:  # fmt: skip
     """The scenarios with their runs of the source: only the given ones, or else the stored and generated ones."""
     listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
@@ -308,14 +333,22 @@ def _cases(
     assert plan.program is not None
     steps = most_steps(plan.program)
     texts, numbers, types = texts_understood(plan), numbers_understood(plan), reads_console(plan)
-    digest = search_digest(program, _sources(models), ports, texts, types, seed, budget_s, steps, numbers)
+    digest = search_digest(program, _sources(models), ports, texts, types, seed, limits, steps, numbers)
     if (ended := stored_search(stored, digest, program)) is not None:
-        verdict.racy, made.racy_counts = ended.racy, ended.racy_counts
+        verdict.racy, made.racy_counts, verdict.search = ended.racy, ended.racy_counts, ended.told
         return cases, made
     known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))
-    found = search(program, ports, texts, types, seed, known, budget_s, steps, numbers)
-    made.search = digest if found.repeatable else None
-    fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal, ports) <= known]
+    found = search(program, ports, texts, types, seed, known, limits.budget_s, steps, numbers, limits.clock_s, limits.horizon_ms)
+    made.search = digest if found.repeatable or limits.clock_s is not None else None
+    verdict.search = SearchEnd(limits.budget_s, found.tried, found.seconds, found.cut)
+    longest = {str(each.signals): each.horizon_ms for each in sorted(listed, key=lambda each: each.horizon_ms)}
+    fresh = [
+        (s, r)
+        for s, r in found.scenarios
+        if not known
+        or not places_reached(program, r.nominal, ports) <= known
+        or s.horizon_ms > longest.get(str(s.signals), s.horizon_ms)
+    ]
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts
     made.new = [scenario for scenario, _ in fresh]

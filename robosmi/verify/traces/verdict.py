@@ -85,6 +85,28 @@ class CallsAround(Struct, frozen=True):
     around: tuple[LibraryCall, ...] = ()
 
 
+class SearchEnd(Struct, frozen=True):
+    """How a search for scenarios ended.
+
+    Attributes:
+        budget_s: its budget in seconds: of a typical machine, or by the clock if a person has set it.
+        tried: how many scenarios it tried.
+        seconds: how long it took.
+        cut: whether the budget ended it though it had more to try.
+    """
+
+    budget_s: float = 0.0
+    tried: int = 0
+    seconds: float = 0.0
+    cut: bool = False
+
+    def to_json(self) -> dict[str, Json]:
+        """The contract's form (`search`)."""
+        return {
+            "budget_s": self.budget_s, "tried": self.tried, "seconds": round(self.seconds, 1), "ended_by_budget": self.cut,
+        }  # fmt: skip
+
+
 class Verdict(Struct):
     """What a verification says.
 
@@ -111,6 +133,7 @@ class Verdict(Struct):
         calls: those of the source around the first difference.
         little_room: what the compile report says of a stack for which there is little room; empty where there is enough.
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
+        search: how the search for scenarios ended, in this run or the one that stored them; None without one.
     """
 
     scenarios: list[ScenarioVerdict] = []
@@ -136,6 +159,7 @@ class Verdict(Struct):
     calls: CallsAround = field(default_factory=CallsAround)
     little_room: str = ""
     stand_ins: list[str] = []
+    search: SearchEnd | None = None
 
     @property
     def verdict(self) -> str:
@@ -213,6 +237,7 @@ class Verdict(Struct):
                 "outputs": sum(self.outputs.values()), "of": len(self.outputs), "lines_pct": round(self.lines_pct, 1),
             },
             "racy_scenarios": self.racy,
+            "search": None if self.search is None else self.search.to_json(),
             "channels": self.channels(),
             "not_compared": self.not_compared,
             "not_compared_because": dict(self.why_not_compared),
@@ -332,6 +357,11 @@ class Verdict(Struct):
         if self.racy:
             many, them = (f"{self.racy} test cases", "them") if self.racy != 1 else ("1 test case", "it")
             lines.append(f"  {many} discarded: the original is not repeatable in {them}")
+        if self.search is not None and self.search.cut:
+            lines.append(
+                f"  the search for test cases was ended by its budget of {self.search.budget_s:g} s, "
+                f"with {self.search.tried} tried: a larger one may find more (--budget SECONDS)"
+            )
         lines += ["", "channels:"]
         lines += [
             f"  {c['status']:14} {c['name']}{_counted(c['events'], c['status'])}{_ended(c['until_ms'])}" for c in self.channels()
