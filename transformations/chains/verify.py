@@ -11,18 +11,23 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.base.progress_events import announce, remark
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, VerificationError
+from robosmi.errors import RobosmiError, SourceError, VerificationError
 from robosmi.inputs import read_once
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import platform
+from robosmi.transformations.chains.generate import generate as generate_again
 from robosmi.transformations.chains.simulate import adjacent_plan
+from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
+from robosmi.transformations.chains.stages.stored_verdict import FILE as VERDICT, SCHEMA, StoredVerdict, sketch_digests
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.source_text import is_header
@@ -79,12 +84,14 @@ class Verified(Struct):
         compiled: how the migrated program was compiled.
         written: files that were written, with their kind.
         lost: a finding for each kind of file that could not be written.
+        notes: what else a person is told.
     """
 
     verdict: Verdict
     compiled: CompileReport
     written: list[tuple[Path, str]] = []
     lost: list[Finding] = []
+    notes: list[str] = []
 
     @property
     def findings(self) -> list[Finding]:
@@ -107,7 +114,14 @@ class Verified(Struct):
         return self.verdict.lines()
 
 
-@read_once()
+class _Limits(Struct, frozen=True):
+    """How far a search for scenarios goes; see `search`."""
+
+    budget_s: float
+    clock_s: float | None
+    horizon_ms: float | None
+
+
 def verify(
     output: Path,
     *,
@@ -120,8 +134,9 @@ def verify(
     clock_s: float | None = None,
     horizon_ms: float | None = None,
     trust_original: bool = False,
+    report: bool = True,
 ) -> Verified:
-    """Compare a migrated program with its original.
+    """Compare a migrated program with its original, and write the verdict into its report.
 
     Args:
         output: the output folder of a migration.
@@ -134,6 +149,7 @@ def verify(
         clock_s: its limit in seconds by the clock, instead of three times the budget.
         horizon_ms: how long its scenarios last at most, in milliseconds; what the program needs if None.
         trust_original: whether the original may run where the system has no sandbox for it.
+        report: whether to write the report again.
 
     Raises:
         SourceError: there is no plan or program, or a file cannot be read or written.
@@ -144,6 +160,32 @@ def verify(
     plan_file = adjacent_plan(output)
     if plan_file is None:
         raise SourceError(f"{output} has no plan", fix="give the output folder of migrate, with its models")
+    limits = _Limits(budget_s, clock_s, horizon_ms)
+    done = _verified(output, plan_file, scenarios, engine, seed if generate else None, vcd, limits, trust_original)
+    if report:
+        _update_report(done, plan_file.parent.parent)
+    return done
+
+
+@read_once()
+def _verified(
+    output: Path, plan_file: Path, scenarios: Sequence[Path], engine: str | None, seed: int | None, vcd: Path | None,
+    limits: _Limits, trusted: bool,
+) -> Verified:  # fmt: skip
+    """Compare a migrated program with its original, and store the verdict beside the models."""
+    sketch = sketch_digests(plan_file.parent.parent)
+    done = _compared(output, plan_file, scenarios, engine, seed, vcd, limits, trusted)
+    files = VerifiedFiles()
+    files.store_verdict(plan_file.parent / VERDICT, _record(done, sketch))
+    done.lost += files.lost
+    return done
+
+
+def _compared(
+    output: Path, plan_file: Path, scenarios: Sequence[Path], engine: str | None, seed: int | None, vcd: Path | None,
+    limits: _Limits, trusted: bool,
+) -> Verified:  # fmt: skip
+    """Compare a migrated program with its original."""
     models = stored_models(plan_file.parent.parent)
     plan = models.plan
     assert plan.program is not None
@@ -185,7 +227,7 @@ def verify(
         (folder / "source").mkdir()
         announce("compile the original")
         try:
-            program = _original(models, folder / "source", trust_original)
+            program = _original(models, folder / "source", trusted)
         except VerificationError as error:
             at = error.location
             where = f" ({Path(at.path).name}:{at.line})" if at is not None and at.line else ""
@@ -194,10 +236,7 @@ def verify(
         verdict.original = f"{program.model.title}, {program.compiler}"
         called = {str(use.name) for use in plan.adapterUses}
         verdict.not_compared += [what for what, functions in program.model.stored.items() if called.intersection(functions)]
-        limits = _Limits(budget_s, clock_s, horizon_ms)
-        cases, made = _cases(
-            program, ports, models, given, plan_file.parent / FOLDER, seed if generate else None, verdict, limits
-        )
+        cases, made = _cases(program, ports, models, given, plan_file.parent / FOLDER, seed, verdict, limits)
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
         announce(f"run the migrated program in {len(cases)} test case{'s' * (len(cases) != 1)}")
@@ -223,9 +262,8 @@ def verify(
         files = VerifiedFiles()
         files.store_scenarios(made.new, plan_file.parent / FOLDER)
         if made.search is not None:
-            files.store_search(
-                made.search, verdict.racy, made.racy_counts, plan_file.parent / FOLDER, verdict.search or SearchEnd()
-            )
+            told = replace(verdict.search or SearchEnd(), seconds=0.0)  # which is another one in each run
+            files.store_search(made.search, verdict.racy, made.racy_counts, plan_file.parent / FOLDER, told)
         if kept:
             shown = kept[_shown(verdict)]
             files.write_picture(plan_file.parent / PICTURE, shown)
@@ -240,12 +278,7 @@ def _too_big(report: CompileReport) -> str:
     return f"the migrated program is too big for {report.board}, so it was not run{fits}"
 
 
-_RULES = {
-    NO_DIFFERENCE: ("RS850", migration.SeverityLevel.info),
-    DIFFERENT_VERDICT: ("RS851", migration.SeverityLevel.error),
-    NOT_DECIDABLE: ("RS852", migration.SeverityLevel.warning),
-    NOT_COMPILED: ("RS853", migration.SeverityLevel.error),
-}
+_RULES = {NO_DIFFERENCE: "RS850", DIFFERENT_VERDICT: "RS851", NOT_DECIDABLE: "RS852", NOT_COMPILED: "RS853"}
 _ADVICE = {
     NO_DIFFERENCE: "check the pin assignment and the test cases; anything else was not compared",
     DIFFERENT_VERDICT: "see: robosmi verify",
@@ -254,10 +287,20 @@ _ADVICE = {
 }
 
 
-def verdict_finding(verdict: Verdict) -> migration.PlanFinding:
-    """The verdict as a finding of a plan, for its report."""
-    rule, severity = _RULES[verdict.verdict]
-    return migration.PlanFinding(rule=rule, severity=severity, message=verdict.sentence(), fix=_ADVICE[verdict.verdict])
+def _record(done: Verified, sketch: dict[str, str]) -> StoredVerdict:
+    """The record of a verdict on a sketch with these digests."""
+    said, drawn = done.verdict.verdict, any(kind == "picture" for _, kind in done.written)
+    return StoredVerdict(SCHEMA, sketch, _RULES[said], done.verdict.sentence(), _ADVICE[said], drawn)
+
+
+def _update_report(done: Verified, output: Path) -> None:
+    """Write the verdict into the report, and nothing else; tell where that is not possible."""
+    try:
+        generate_again(output / STORED, output, report_only=True)
+    except RobosmiError as error:
+        done.notes.append(
+            f"{REPORT} does not have this verdict: {error.message} (do: robosmi generate {output / STORED} -o {output})"
+        )
 
 
 def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
@@ -267,9 +310,8 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
         MissingToolError: a compiler or simulator is not installed.
         VerificationError: the simulator crashed or did not end.
     """
-    done = verify(made.output)
-    made.models.plan.findings.append(verdict_finding(done.verdict))
-    again = produce(made.models, made.output, strict=strict, program=made.program)
+    done = verify(made.output, report=False)
+    again = produce(made.models, made.output, strict=strict, program=made.program, report_only=True)
     again.notes = [*made.notes, *(note for note in again.notes if note not in made.notes), *done.lost]
     again.verification = (done.verdict.to_json(), done.exit_code)
     return again
@@ -298,14 +340,6 @@ def _original(models: MigrationModels, place: Path, trusted: bool = False) -> Or
 def _sources(models: MigrationModels) -> dict[str, bytes]:
     """Path -> content of the program's files, as the plan has recorded them."""
     return {str(entry.path): models.files[entry.path] for entry in models.plan.inputs if entry.kind == "source"}
-
-
-class _Limits(Struct, frozen=True):
-    """How far a search for scenarios goes; see `search`."""
-
-    budget_s: float
-    clock_s: float | None
-    horizon_ms: float | None
 
 
 class _Made(Struct):

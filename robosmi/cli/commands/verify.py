@@ -101,5 +101,7 @@ def run(arguments: _Arguments) -> Report:
         report.lines.append(
             f"too little was compared: --require-coverage asks for every output and {arguments.require_coverage:g} % of the lines"
         )
+    report.lines += [f"picture of both programs: {path}" for path, kind in done.written if kind == "picture"]
+    report.lines += done.notes
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

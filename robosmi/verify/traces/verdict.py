@@ -91,7 +91,7 @@ class SearchEnd(Struct, frozen=True):
     Attributes:
         budget_s: its budget in seconds: of a typical machine, or by the clock if a person has set it.
         tried: how many scenarios it tried.
-        seconds: how long it took.
+        seconds: how long it took; 0 where it is a stored one.
         cut: whether the budget ended it though it had more to try.
     """
 

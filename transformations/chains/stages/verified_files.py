@@ -14,6 +14,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import write_atomic
 from robosmi.files.run_lock import alone
+from robosmi.transformations.chains.stages.stored_verdict import StoredVerdict
 from robosmi.transformations.verification.judgement.scenario_verdicts import ComparedScenario
 from robosmi.transformations.verification.search.stored_search import FILE, StoredSearch, scenarios_digest
 from robosmi.verify.scenario import Scenario, read_scenario
@@ -69,6 +70,10 @@ class VerifiedFiles:
                     number += 1
                 folder.mkdir(exist_ok=True)
                 self._write(path, scenario.text(), "scenario")
+
+    def store_verdict(self, path: Path, record: StoredVerdict) -> None:
+        """Write the record of the verdict beside the models."""
+        self._attempt("the verdict cannot be stored", path, _MAKE_ROOM, lambda: write_atomic(path, record.to_bytes()))
 
     def write_picture(self, path: Path, shown: ComparedScenario) -> None:
         """Draw both sides of a scenario into a picture beside the models."""
