@@ -133,6 +133,7 @@ class Verdict(Struct):
         calls: those of the source around the first difference.
         little_room: what the compile report says of a stack for which there is little room; empty where there is enough.
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
+        stubbed: what does nothing on both sides: functions without a model, missing headers and what they declare.
         search: how the search for scenarios ended, in this run or the one that stored them; None without one.
     """
 
@@ -159,6 +160,7 @@ class Verdict(Struct):
     calls: CallsAround = field(default_factory=CallsAround)
     little_room: str = ""
     stand_ins: list[str] = []
+    stubbed: list[str] = []
     search: SearchEnd | None = None
 
     @property
@@ -182,12 +184,12 @@ class Verdict(Struct):
 
     @property
     def partial(self) -> bool:
-        """Whether an output that is wired was not compared, or a line that main can reach was not reached."""
-        return not self.counted or bool(self.missed_lines) or not all(self.outputs.values())
+        """Whether an output that is wired was not compared, a line that main can reach was not reached, or a name is stubbed."""
+        return not self.counted or bool(self.missed_lines) or bool(self.stubbed) or not all(self.outputs.values())
 
     def covers(self, percent: float) -> bool:
-        """Whether all wired outputs were compared, and at least that share of the lines that main can reach."""
-        return bool(self.counted) and all(self.outputs.values()) and self.lines_pct >= percent
+        """Whether all wired outputs and at least that share of the lines that main can reach were compared, with no stub."""
+        return bool(self.counted) and not self.stubbed and all(self.outputs.values()) and self.lines_pct >= percent
 
     @property
     def exit_code(self) -> int:
@@ -245,6 +247,7 @@ class Verdict(Struct):
             "engine": self.engine,
             "compiler": self.compiler,
             "stand_ins": self.stand_ins,
+            "stubbed": self.stubbed,
             "original": self.original,
             "binding": self.binding,
         }  # fmt: skip
@@ -300,7 +303,9 @@ class Verdict(Struct):
     def _stood_in(self) -> list[str]:
         """The libraries that were replaced by stand-ins, in words."""
         names = ", ".join(f"'{name}'" for name in self.stand_ins)
-        return [f"simulated with stand-ins for missing libraries: {names}"] if names else []
+        told = [f"simulated with stand-ins for missing libraries: {names}"] if names else []
+        stubs = ", ".join(self.stubbed)
+        return [*told, f"unknown, so stubbed on both sides and not compared: {stubs}"] if stubs else told
 
     def _reached(self) -> str:
         """The coverage of the source, in words."""

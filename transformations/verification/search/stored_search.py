@@ -55,7 +55,7 @@ def search_digest(program: OriginalProgram, sources: Mapping[str, bytes], ports:
         ports: its ports.
         settings: what else the search is given.
     """
-    of = [robosmi.__version__, program.compiler, sorted(sources.items()), list(ports), settings]
+    of = [robosmi.__version__, program.compiler, sorted(sources.items()), list(ports), program.stubbed, settings]
     digest = hashlib.sha256(msgspec.json.encode(of, order="deterministic"))
     for path in program.model.files:
         digest.update(f"\0{path.name}\0".encode() + inputs.read_bytes(path, inputs.DATA))
