@@ -24,6 +24,7 @@ from robosmi.transformations.chains.stages.completion import Completed
 from robosmi.transformations.chains.stages.edited_plan import STORED, digest_without_choices, only_choices_differ
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
 from robosmi.transformations.chains.stages.replaced_programs import replaced_programs
+from robosmi.transformations.m2t.program_files import REPORT
 
 
 class Writing(Struct):
@@ -68,8 +69,23 @@ def checked(done: Completed, inputs: Mapping[str, bytes | None], unchanged: Mapp
     return Writing(contents, kept.records, kept.old | _with_comments(output, inputs, contents, kept.findings), going)
 
 
-def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None) -> None:
-    """Write the files, and the record of them, all or none."""
+def refuse_others(done: Completed, new: Writing) -> None:
+    """Make sure that nothing but the report, the models and the records is about to be written.
+
+    Raises:
+        StoppedError: another file is.
+    """
+    places, own = done.folder.places, f"{done.models.plan.name}/{REPORT}"
+    named = [name for name in new.contents if name != own and not name.startswith(f"{FOLDER}/")]
+    others = [*(name for name in named if places.look(name) != new.contents[name]), *new.old, *sorted(new.going)]
+    if others:
+        raise StoppedError(f"generating would also change {', '.join(others)}; nothing was written")
+
+
+def commit(
+    done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None, *, amending: bool = False
+) -> None:
+    """Write the files, and the record of them, all or none; `amending` as for `save_previous`."""
     manifest, places, output = done.folder.manifest, done.folder.places, done.folder.path
     record = Manifest.of(new.contents | new.records, {*chosen_by_persons(done.models.plan), *manifest.choices})
     # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost;
@@ -83,7 +99,7 @@ def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], ou
     record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
     record.beside_choices = manifest.beside_choices if STORED in staying else digest_without_choices(new.contents[STORED])
     writing = {**new.every, MANIFEST: record.to_bytes()}
-    elsewhere = save_previous(output, places, writing, new.going, outside)
+    elsewhere = save_previous(output, places, writing, new.going, outside, amending=amending)
     manifest.note(output, writing[MANIFEST])
     update(output, writing, new.going, places.seen, elsewhere)
 
