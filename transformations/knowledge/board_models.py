@@ -223,6 +223,12 @@ def _chip_file(name: str, project: Path | None) -> Path | None:
     return next((file for folder in folders(KIND, project) if (file := folder / "mcus" / f"{name}.toml").is_file()), None)
 
 
+def architecture_of(mcu: str, project: Path | None = None) -> str:
+    """The architecture of a microcontroller; empty if nothing is known of it."""
+    path = _chip_file(mcu, project)
+    return table_of(path).text("architecture") if path is not None else ""
+
+
 def _signature(table: DataTable) -> str:
     signature = table.text("signature", "").lower()
     if signature and not re.fullmatch("[0-9a-f]{6}", signature):

@@ -209,7 +209,8 @@ extern "C" inline __attribute__((used)) void yield() { do_jobs(); }
 
 //# helper jobs
 //#   needs: Io
-//#   architecture: mbed mbed_nano
+//#   architecture: mbed_nano
+//#   include: <mbed.h>
 //#   fidelity: jobs in the background are a thread beside the program, once a millisecond
 static void (*each_job[3])();
 
