@@ -34,7 +34,20 @@ CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts")
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
-_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "buses", "drawn_as", "drawn_chips", "drawn_symbols")
+_BOARD_KEYS = (
+    "name",
+    "title",
+    "mcu",
+    "f_cpu",
+    "volts",
+    "led",
+    "boot_loader",
+    "pins",
+    "buses",
+    "drawn_as",
+    "drawn_chips",
+    "drawn_symbols",
+)
 _DRAWN_KEYS = {
     "drawn_as": ("tool", "modules", "connectors"),
     "drawn_chips": ("chips", "least_pins", "most_pins"),
@@ -214,7 +227,9 @@ def _buses(table: DataTable, ports: Sequence[str] | None = None) -> list[platfor
         lines = said.table(bus)
         for signal in lines.values:
             if ports is not None and lines.text(signal) not in ports:
-                raise lines.error(signal, f"is '{lines.text(signal)}', which no pin of this board has{did_you_mean(lines.text(signal), ports)}")
+                raise lines.error(
+                    signal, f"is '{lines.text(signal)}', which no pin of this board has{did_you_mean(lines.text(signal), ports)}"
+                )
         found.append(platform.PinBus(name=bus, signals=list(lines.values), ports=[lines.text(signal) for signal in lines.values]))
     return found
 
@@ -286,7 +301,9 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         ramBytes=table.positive("ram_bytes") if table is not None else chip.ramBytes if chip is not None else 0,
         pinNames=[
             platform.PinName(
-                pin=pin, literal=literals.get(pin.label) or _numbered(pin, rules, numbers), interrupt=interrupts.get(pin.label, -1)
+                pin=pin,
+                literal=literals.get(pin.label) or _numbered(pin, rules, numbers),
+                interrupt=interrupts.get(pin.label, -1),
             )
             for pin in board.pins
         ],

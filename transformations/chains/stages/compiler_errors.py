@@ -50,8 +50,9 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
     vast = plan.program is not None and _most_members(plan.program, made) > _MOST_MEMBERS
     machine = Machine.of(plan.target) if plan.target is not None else Machine(16, 32, 16, char_signed=True)
     return GeneratedProgram(
-        made, header, str(target_of(plan).language), pins=pins, vast=vast, int_bits=machine.int_bits, char_signed=machine.char_signed
-    )
+        made, header, str(target_of(plan).language), pins=pins, vast=vast,
+        int_bits=machine.int_bits, char_signed=machine.char_signed,
+    )  # fmt: skip
 
 
 def compiler_errors(

@@ -1,8 +1,8 @@
 """The adapter files for a source and a target platform, read when a program needs them.
 
 They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
-(`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each, or for all others. Files of a
-project, of a person and of plug-ins precede the built-in ones, piece by piece.
+(`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each, or for
+all others. Files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
 `queries.plans.adapter_needs` determines which pieces a program needs.
 """
 
