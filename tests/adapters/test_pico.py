@@ -125,19 +125,8 @@ void setup() { Serial.begin(115200); while (!Serial) {}
   servo_set(20, 1000); wait(100); servo_setramp(20, 20); servo_set(20, 1500); wait(600); pwm_stop(); }
 void loop() {}
 """
-    names = ("pulse_out", "freqout", "square_wave", "pwm_start", "pwm_set", "pwm_stop", "ee_putInt", "ee_getInt", "high")
-    names += ("get_state",)
-        "pulse_out",
-        "freqout",
-        "square_wave",
-        "pwm_start",
-        "pwm_set",
-        "pwm_stop",
-        "ee_putInt",
-        "ee_getInt",
-        "high",
-        "get_state",
-    ]
+    names = ["pulse_out", "freqout", "square_wave", "pwm_start", "pwm_set", "pwm_stop", "ee_putInt", "ee_getInt"]
+    names += ["high", "get_state"]
     uses = [f"simpletools.h/{name}" for name in names]
     uses += [f"servo.h/{name}" for name in ("servo_angle", "servo_set", "servo_setramp")]
     trace = run(uses, program, 1100, tmp_path, "other")

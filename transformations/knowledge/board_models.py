@@ -44,6 +44,7 @@ _BOARD_KEYS = (
     "boot_loader",
     "pins",
     "buses",
+    "not_simulated",
     "drawn_as",
     "drawn_chips",
     "drawn_symbols",
@@ -236,6 +237,12 @@ def _buses(table: DataTable, ports: Sequence[str] | None = None) -> list[platfor
 
 def _chip_file(name: str, project: Path | None) -> Path | None:
     return next((file for folder in folders(KIND, project) if (file := folder / "mcus" / f"{name}.toml").is_file()), None)
+
+
+def not_simulated(name: str, project: Path | None = None) -> str:
+    """What of a board no simulator has, as half a sentence; empty if its file names nothing."""
+    path = board_file(name, project)
+    return table_of(path).text("not_simulated", "") if path is not None else ""
 
 
 def architecture_of(mcu: str, project: Path | None = None) -> str:
