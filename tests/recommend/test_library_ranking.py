@@ -29,7 +29,7 @@ from tests.recommend.labelled import Labelled
 
 SERVO = "Basic Servo"
 DHT = "DHT22 Temperature and Humidity Sensor"
-PAPER_LIBRARIES = {  # bundled with the IDE of the paper's time, and the one for the DHT (research note, "the paper's setting")
+PAPER_LIBRARIES = {  # bundled with the IDE of the paper's time, and the one for the DHT
     *("EEPROM", "Esplora", "Ethernet", "Firmata", "GSM", "LiquidCrystal", "Robot_Control", "Robot_Motor", "SD", "SPI", "Servo"),
     *("SoftwareSerial", "Stepper", "TFT", "WiFi", "Wire", "DHT sensor library"),
 }
