@@ -1,4 +1,4 @@
-"""The paper's own mode: placeholders to write by hand, libraries by TF-IDF, and includes of the selected ones (paper 3.3, 3.4)."""
+"""The paper's own mode: placeholders to write by hand, libraries by TF-IDF, includes of the selected ones (paper 3.3, 3.4)."""
 
 from __future__ import annotations
 

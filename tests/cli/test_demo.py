@@ -1,4 +1,4 @@
-"""`robosmi demo`: the shipped example in a folder of the user's, without a compiler, and with what to do where it cannot be shown."""
+"""`robosmi demo`: the shipped example in a folder of the user's, without a compiler; what it cannot do is told."""
 
 from __future__ import annotations
 

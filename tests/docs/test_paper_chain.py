@@ -16,7 +16,8 @@ ROOT = Path(__file__).parents[2]
 MADE = shutil.ignore_patterns("__pycache__", "build", "out", ".robosmi")
 EIGHT = {"set_output", "set_direction", "waitcnt", "high", "low", "get_state", "drive_speed", "pause"}
 PORTS = {
-    "BasicServo2WriteP1": "8", "BasicServo1WriteP1": "9", "HIH40302ReadP1": "10", "HIH40301ReadP1": "11", "Red633nmLED1WriteP1": "12",
+    "BasicServo2WriteP1": "8", "BasicServo1WriteP1": "9", "HIH40302ReadP1": "10", "HIH40301ReadP1": "11",
+    "Red633nmLED1WriteP1": "12",
 }  # fmt: skip
 
 

@@ -399,7 +399,13 @@ def migrate(
             "hardware": Path(hardware) if hardware is not None else None,
             "include_dirs": [Path(each) for each in include_dirs],
         }
-        told |= {"target": target, "source_platform": source_platform, "defines": list(defines), "adapters": adapters}
-        remember_sources(Path(output), models.plan, models.places, files, {**told, "widths": widths, "ranker": ranker, "bench": bench})
+        told |= {
+            "target": target,
+            "source_platform": source_platform,
+            "defines": list(defines),
+            "adapters": adapters,
+            "ranker": ranker,
+        }
+        remember_sources(Path(output), models.plan, models.places, files, {**told, "widths": widths, "bench": bench})
     remember(made, history)
     return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made

@@ -1,7 +1,7 @@
 """`robosmi demo`: the shipped example, copied into a folder of the user's and migrated there; its page in the browser.
 
-The example's files are copied, so that decisions in the page change the user's copy and not the installation. Files that are there
-already stay as they are: a second run shows what the user made of the example. Its library choices are not counted in the history.
+The example's files are copied, so that decisions in the page change the user's copy and not the installation. Files that exist
+stay as they are: a second run shows what the user made of the example. The history does not count its library choices.
 """
 
 from __future__ import annotations

@@ -291,7 +291,7 @@ def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> Non
 def settle_libraries(plan: migration.MigrationPlan) -> None:
     """Record for each chosen library whether the sketch includes it: where an adapter uses it.
 
-    Where all bodies are placeholders, each chosen library is included, since the bodies to write are to use it (paper 3.4). A plan
+    Where all bodies are placeholders, each chosen library is included: the bodies to write are to use it (paper 3.4). A plan
     without adapters and placeholders stays as it is.
     """
     if plan.target is None:
