@@ -57,7 +57,7 @@ from robosmi.transformations.verification.original_side import (
 from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
-from robosmi.transformations.verification.stored_bytes import STORED, after_a_restart, can_be_told, most_stored
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, is_comparable, most_stored
 from robosmi.transformations.verification.stubs import Stubs, stubs_of, with_stubs, written_in
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.host_model import load_host_model
@@ -247,8 +247,8 @@ def _compared(
             stubbed = _compiled_with_stubs(output, folder / "stubbed", own)
             side = TargetSide(_board(models, stubbed), stubbed, ports, engine, whole=vcd is not None)
         called = {str(use.name) for use in plan.adapterUses}
-        program = replace(program, store_bytes=side.store_bytes if can_be_told(program.model, ports) else 0)
-        verdict.functions |= {STORED: tuple(sorted(called & program.model.stores))}
+        program = replace(program, store_bytes=side.store_bytes if is_comparable(program.model, ports) else 0)
+        verdict.functions |= {EEPROM_CHANNEL: tuple(sorted(called & program.model.stores))}
         cases, made = _cases(program, ports, models, given, plan_file.parent / FOLDER, seed, verdict, limits)
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
@@ -262,9 +262,9 @@ def _compared(
             verdict.racy += 1
             made.racy_counts.append(runs.nominal.counts)
             made.new.remove(scenario)
-        stores = verdict.functions[STORED] or any(each.runs.nominal.trace.stored for each in kept)
-        if stores and not any(channel["name"] == STORED for channel in verdict.channels()):
-            verdict.not_compared.append(STORED)
+        stores = verdict.functions[EEPROM_CHANNEL] or any(each.runs.nominal.trace.stored for each in kept)
+        if stores and not any(channel["name"] == EEPROM_CHANNEL for channel in verdict.channels()):
+            verdict.not_compared.append(EEPROM_CHANNEL)
         if compared.undecided and verdict.verdict != DIFFERENT_VERDICT:
             raise compared.undecided[0]
         if cases and not kept:
@@ -444,7 +444,7 @@ def _started_again(
     number = most_stored([each.runs.nominal.trace for each in kept])
     if number is None or any(each.told.verdict != NO_DIFFERENCE for each in kept):
         return []
-    if not any(channel.channel == STORED for channel in kept[number].told.channels):
+    if not any(channel.channel == EEPROM_CHANNEL for channel in kept[number].told.channels):
         return []
     announce("run both programs again with what the original stores")
     scenario = after_a_restart(kept[number].told.scenario, kept[number].runs.nominal.trace)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.elements import ecore
+from robosmi.model.elements.construct import disconnect
 from robosmi.model.elements.driver import Kind, TypeHandle, class_of
 from robosmi.model.elements.ecore import DynamicEObject, EEnum, EObject, EStructuralFeature
 from robosmi.model.elements.feature_errors import not_named
@@ -56,16 +57,6 @@ def new(kind: Kind, /, **features: Any) -> Any:
         disconnect(made)
         raise
     return made
-
-
-def disconnect(made: Any) -> None:
-    """Take an element that could not be made out of its container and out of all references."""
-    for feature in all_features(made.eClass):
-        slot = made.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
-        if slot is not None and feature.many:
-            read(slot).clear()
-        elif slot is not None and read(slot) is not None:
-            setattr(made, key_of(feature), None)
 
 
 def refuse_unnamed(kind: Kind, values: Sequence[object]) -> None:
