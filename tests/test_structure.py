@@ -71,7 +71,7 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
     "transformations/knowledge": {
         "": (),
         "adapters": ("",),
-        "cores": (),
+        "cores": ("",),
         "platforms": ("adapters", ""),
         "libraries": ("platforms",),
     },
