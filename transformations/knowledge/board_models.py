@@ -36,7 +36,7 @@ _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKin
 """What takes resources of a microcontroller, by the key that names it."""
 _BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
 _DRAWN_KEYS = {
-    "drawn_as": ("tool", "modules", "connectors"),
+    "drawn_as": ("tool", "modules", "connectors", "names"),
     "drawn_chips": ("chips", "least_pins", "most_pins"),
     "drawn_symbols": ("called", "not"),
 }

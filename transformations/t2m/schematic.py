@@ -33,6 +33,7 @@ from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.wildcards import fits
+from robosmi.transformations.queries.circuits.former_titles import SHEET, title_on_sheet
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
 from robosmi.transformations.t2m.schematic_headers import HeaderPin, why_no_part, words_of
@@ -53,6 +54,7 @@ class SchematicPart(Struct, frozen=True):
     Attributes:
         identity: the tool's own identity of it, unique in the drawing.
         title: its reference in the drawing.
+        sheet: names of the sheets above it, joined by `/`; empty on the root sheet.
         symbol: what the library calls the symbol.
         listed_as: its id in the tool's catalogue.
         family: name of its library.
@@ -81,6 +83,16 @@ class SchematicPart(Struct, frozen=True):
     line: int | None = None
     power: bool = False
     defined: bool = True
+    sheet: str = ""
+
+
+def with_unique_titles(parts: Sequence[SchematicPart]) -> list[SchematicPart]:
+    """The parts, those whose reference another part has with the names of their sheets before it (`left/D1`)."""
+    counts = Counter(part.title for part in parts)
+    return [
+        replace(part, title=title_on_sheet(part.sheet, part.title)) if counts[part.title] > 1 and part.sheet else part
+        for part in parts
+    ]
 
 
 class SchematicNet(Struct):
@@ -359,6 +371,8 @@ class _Making:
         key = self.known[part.identity][0]
         used = self.used.get(part.identity, {})
         properties = {**({"value": part.value} if part.value else {}), **part.properties}
+        if part.sheet:
+            properties[SHEET] = part.sheet
         placed = Placed(
             identity=part.identity, part_id=key, title=part.title, properties=properties, used=used, line=part.line,
             symbol=part.power, listed_as=part.listed_as,
@@ -456,15 +470,17 @@ def drawn_symbol(
     """
     if len(connectors) < least:
         return None
-    for text in texts:
-        called = _SPELLED.sub(" ", text.lower()).strip()
+    spelled = [_SPELLED.sub(" ", text.lower()).strip() for text in texts]
+    for called in spelled:
         for path in drawing_files(project) if called else ():
             if "drawn_symbols" not in text_of(path) or only_draws(path):
                 continue
             table = table_of(path)
             check_drawn(table)
             for entry in table.tables("drawn_symbols", needed=False):
-                if not _any_fits(called, entry.texts("called")) or _any_fits(called, entry.texts("not", ())):
+                if not _any_fits(called, entry.texts("called")) or any(
+                    _any_fits(each, entry.texts("not", ())) for each in spelled
+                ):
                     continue
                 pins = labelled_pins(table, connectors)
                 if len(pins) >= least:
@@ -480,8 +496,13 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
     """Connector -> label of the board's pin, for connectors whose names say one."""
     pins = table.tables("pins")
     labels = {pin.text("label") for pin in pins}
+    ports = {pin.text("port", "").upper(): pin.text("label") for pin in pins}
     aliases = {alias: pin.text("label") for pin in pins for alias in pin.texts("aliases", ())}
-    found = {connector: _label(name, labels, aliases) for connector, name in connectors.items()}
+    found = {
+        connector: _label(name, labels, aliases)
+        or next((ports[word] for word in re.split(r"[/ _()]", name.upper()) if word and word in ports), "")
+        for connector, name in connectors.items()
+    }
     told = {connector: label for connector, label in found.items() if label}
     given = {*told.values()}
     for connector, name in connectors.items():
