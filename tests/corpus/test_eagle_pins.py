@@ -27,13 +27,14 @@ def rows() -> list[dict[str, str]]:
         return list(csv.DictReader(file, delimiter=";"))
 
 
-def found_in(path: Path, boards: set[str]) -> set[str]:
-    """What the reader finds, as the labels have it; nothing of a drawing that it refuses."""
+def found_in(path: Path, labelled: str, boards: set[str]) -> set[str]:
+    """What the reader finds on the boards that are labelled, as the labels have it; nothing of a drawing that it refuses."""
     try:
         mappings = hardware(path).result["mappings"]
     except RobosmiError:
         return set()
-    return {f"{m['board']}." * (m["board"] in boards) + f"{m['pin']}:{m['component']}" for m in mappings}
+    wanted = [m for m in mappings if m["board"] in {labelled, *boards}]
+    return {f"{m['board']}." * (m["board"] in boards) + f"{m['pin']}:{m['component']}" for m in wanted}
 
 
 def scores(row: dict[str, str], path: Path) -> tuple[float, float]:
@@ -41,7 +42,7 @@ def scores(row: dict[str, str], path: Path) -> tuple[float, float]:
     meant, either = {*row["pins"].split()}, {*row["optional"].split()}
     boards = {label.partition(".")[0] for label in meant if "." in label.partition(":")[0]}
     told = set()
-    for each in found_in(path, boards):
+    for each in found_in(path, row["board"], boards):
         pin, _, part = each.partition(":")
         if each in meant or either.isdisjoint((each, f"*:{part}", f"{pin}:*")):
             told.add(each)

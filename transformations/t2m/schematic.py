@@ -36,7 +36,7 @@ from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.transformations.queries.circuits.former_titles import SHEET, title_on_sheet
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.transformations.t2m.schematic_headers import HeaderPin, why_no_part, words_of
+from robosmi.transformations.t2m.schematic_headers import OF_THE_BOARD, HeaderPin, why_no_part, words_of
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -175,6 +175,8 @@ class _Making:
             return replace(found, buses=self._joined(part)), board, False
         if (chip := self._chip(part)) and part.identity not in self.chips:
             return replace(found, role="Board", evidence=f"a bare {chip}, which runs a program"), None, False
+        if len(part.pins) == 1 and self._called(part, self.builder.names.test_points):
+            return replace(found, role="Passive", evidence="a point to measure at"), None, False
         if part.identity in self.headers:
             return self._header(part, found)
         if part.value:
@@ -284,7 +286,9 @@ class _Making:
         ]
         title = part.value or ", ".join(signals[:_NET_NAMES]) or part.symbol
         found = replace(found, title=title, family="", description="", evidence="a header without a drawn device")
-        if why := why_no_part([self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())]):
+        if why := why_no_part(
+            [self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())], part.title
+        ):
             self.report(
                 "RS259", Severity.info, f"the header '{part.title}' counts as no part: {why}", part.line,
                 "give its role in robosmi.toml under [roles] if a part is plugged in there",
@@ -305,6 +309,7 @@ class _Making:
             named=any(self._names_pin(net.name, end) for net in nets for end in boards if self._label(end)),
             bus=any(words_of(net.name) & _BUS_LINES for net in nets),
             words=words_of(*names, *(net.name for net in nets)),
+            led_out=not labels and bool(words_of(*names) & OF_THE_BOARD),
             supply=not labels
             and (any(kind in ("supply", "ground") for kind in kinds) or any(self.parts[e.component].power for e in ends)),
             device=any(self._role(end) in ("Input", "Output", "Both", "Unknown") for end in ends),
@@ -498,11 +503,7 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
     labels = {pin.text("label") for pin in pins}
     ports = {pin.text("port", "").upper(): pin.text("label") for pin in pins}
     aliases = {alias: pin.text("label") for pin in pins for alias in pin.texts("aliases", ())}
-    found = {
-        connector: _label(name, labels, aliases)
-        or next((ports[word] for word in re.split(r"[/ _()]", name.upper()) if word and word in ports), "")
-        for connector, name in connectors.items()
-    }
+    found = {connector: _of_port(name, ports) or _label(name, labels, aliases) for connector, name in connectors.items()}
     told = {connector: label for connector, label in found.items() if label}
     given = {*told.values()}
     for connector, name in connectors.items():
@@ -511,6 +512,11 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
             if label in labels - given:  # beside A0 it is an input of the comparator
                 told[connector] = label
     return told
+
+
+def _of_port(name: str, ports: Mapping[str, str]) -> str:
+    """The label of the pin whose port a name has; it goes before other names: `(AD0)PA0` is no analogue input."""
+    return next((ports[word] for word in re.split(r"[/ _()]", name.upper()) if word and word in ports), "")
 
 
 def _label(name: str, labels: set[str], aliases: Mapping[str, str]) -> str:
