@@ -31,12 +31,12 @@ from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_boa
 from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind
-from robosmi.transformations.knowledge.part_roles import classify
+from robosmi.transformations.knowledge.part_roles import classify, is_connector
 from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.transformations.queries.circuits.former_titles import SHEET, title_on_sheet
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.transformations.t2m.schematic_headers import OF_THE_BOARD, HeaderPin, why_no_part, words_of
+from robosmi.transformations.t2m.schematic_headers import OF_THE_BOARD, PROGRAMMER, HeaderPin, why_no_part, words_of
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -268,10 +268,14 @@ class _Making:
             return False
         if self._called(part, self.builder.names.headers):
             return True
-        if not any(fits(part.family.lower(), pattern) for pattern in self.builder.names.header_families):
-            return False
-        drawn = Part(part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, description=part.description)
-        return classify(replace(drawn, tool=self.builder.tool), self.project).role in ("Passive", "Unknown")
+        drawn = Part(
+            part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, tool=self.builder.tool,
+            description=part.description,
+        )  # fmt: skip
+        if is_connector(drawn, self.project) and "jumper" not in f"{part.symbol} {part.family} {part.description}".lower():
+            return True
+        told = any(fits(part.family.lower(), pattern) for pattern in self.builder.names.header_families)
+        return told and classify(drawn, self.project).role in ("Passive", "Unknown")
 
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
         for text, what, own in ((part.value, "for", False), (part.title, "labelled", True)):
@@ -286,9 +290,10 @@ class _Making:
         ]
         title = part.value or ", ".join(signals[:_NET_NAMES]) or part.symbol
         found = replace(found, title=title, family="", description="", evidence="a header without a drawn device")
-        if why := why_no_part(
-            [self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())], part.title
-        ):
+        on = [self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())]
+        texts = [text.lower() for text in (part.symbol, part.value, part.title)]
+        programmer = any(pin.pins for pin in on) and any(_any_fits(text, self.builder.names.programmers) for text in texts)
+        if why := PROGRAMMER if programmer else why_no_part(on, part.title):
             self.report(
                 "RS259", Severity.info, f"the header '{part.title}' counts as no part: {why}", part.line,
                 "give its role in robosmi.toml under [roles] if a part is plugged in there",
@@ -516,7 +521,8 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
 
 def _of_port(name: str, ports: Mapping[str, str]) -> str:
     """The label of the pin whose port a name has; it goes before other names: `(AD0)PA0` is no analogue input."""
-    return next((ports[word] for word in re.split(r"[/ _()]", name.upper()) if word and word in ports), "")
+    words = re.split(r"[/ _()]", name.upper())
+    return ports.get(port_of(name), "") or next((ports[word] for word in words if word.startswith("GPIO") and word in ports), "")
 
 
 def _label(name: str, labels: set[str], aliases: Mapping[str, str]) -> str:

@@ -19,7 +19,9 @@ from msgspec import Struct
 _LEAST_LED_OUT = 4
 """Minimum number of the board's pins on a header that leads them out; a servo, a sensor or a bus has fewer."""
 _LEAST_OF_SPI = 2
-_SPI = frozenset({"MOSI", "MISO", "SCK", "COPI", "CIPO"})
+PROGRAMMER = "a programmer is plugged in there"
+"""Why the plug of a programmer is no part."""
+_SPI = frozenset({"MOSI", "MISO", "SCK", "SCLK", "COPI", "CIPO"})
 _RESET = re.compile(r"N?RE?SE?T[0-9]?|DTR|RES")
 OF_THE_BOARD = frozenset({"RESET", "AREF", "VIN", "IOREF", "RAW"})
 """Words of the names of a board's connectors that the sockets of a shield lead out."""
@@ -72,7 +74,7 @@ def why_no_part(pins: Sequence[HeaderPin], title: str = "") -> str:
     reset = [pin for pin in signals if any(_RESET.fullmatch(word) for word in pin.words)]
     spi = [pin for pin in on_board if pin.words & _SPI]
     if reset and len(spi) >= _LEAST_OF_SPI and all(pin in reset or pin in spi for pin in signals):
-        return "a programmer is plugged in there"
+        return PROGRAMMER
     named = sum(pin.named for pin in on_board)
     if len(on_board) >= _LEAST_LED_OUT and (
         _names_port(title, on_board)

@@ -116,6 +116,15 @@ def test_a_header_that_only_leads_pins_out_is_no_part(case: str, tmp_path: Path)
     assert ("JP1" in {m["component"] for m in hardware(path).result["mappings"]}) == (case in KEPT)
 
 
+def test_a_plug_that_is_called_so_is_for_a_programmer_whatever_else_is_on_it(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("PINHD-1X4", HEADER)]
+    parts = [part("U1", "ARDUINO_UNO"), part("J1", "PINHD-1X4", "ISP/SPI"), part("DISP", "PINHD-1X4")]
+    path = schematic(
+        tmp_path, libraries, parts, [net("CLK", "U1.D13", "J1.1"), net("X", "U1.D2", "DISP.1"), net("Y", "J1.2", "DISP.2")]
+    )
+    assert pins(path) == {"D2": "DISP"}
+
+
 def test_points_to_measure_at_are_no_parts_and_a_pad_to_touch_is_one(tmp_path: Path) -> None:
     kinds = {"TP1": "TP_SP", "TP2": "TEST-POINT-3", "UP": "CAP-PAD-15MM", "BTN1": "22-27-2021"}
     libraries = [device("ARDUINO_UNO", UNO)] + [
@@ -138,6 +147,26 @@ def test_a_board_with_the_names_of_its_chip_has_its_pins_by_their_ports_and_head
     path = schematic(tmp_path, libraries, parts, [*nets, net("A", "U1.(AD0)PA0", "LED1.1"), net("B", "U1.PF0(ADC0)", "LED2.1")])
     assert read_circuit(path)[0].components[0].boardName == "mega"
     assert pins(path) == {"A0": "LED2", "D22": "LED1"}
+
+
+@pytest.mark.parametrize("symbol", ["ATMEGA32U4TQFP", "ATMEGA32U4-AU"])
+def test_a_bare_chip_with_usb_is_the_leonardo_and_lines_of_the_programmer_are_no_ports(symbol: str, tmp_path: Path) -> None:
+    """`(PD0/MISO)PB3` is PB3: the zero of the programmer's PDO is none of a port."""
+    chip: Pins = [(f"(ADC{n})PF{n}", "io") for n in (0, 1, 4, 5, 6, 7)] + [
+        ("(SCL/INT0)PD0", "io"),
+        ("(PD0/MISO/PCINT3)PB3", "io"),
+    ]
+    chip += [(f"X{n}", "pas") for n in range(30)]
+    libraries = [device(symbol, chip), device("1X4--3.5MM", HEADER, "3.5mm terminal block"), device("LED", TWO, "LED")]
+    parts = [part("U1", symbol), part("JP5", "1X4--3.5MM"), part("LED1", "LED"), part("LED2", "LED")]
+    nets = [
+        net("A", "U1.(ADC7)PF7", "JP5.1"),
+        net("B", "U1.(SCL/INT0)PD0", "LED1.1"),
+        net("C", "U1.(PD0/MISO/PCINT3)PB3", "LED2.1"),
+    ]
+    path = schematic(tmp_path, libraries, parts, nets)
+    assert read_circuit(path)[0].components[0].boardName == "leonardo"
+    assert pins(path) == {"A0": "JP5", "D3": "LED1", "D14": "LED2"}
 
 
 def test_a_role_from_the_user_makes_a_header_a_part(tmp_path: Path) -> None:
