@@ -3,7 +3,8 @@
 A person labelled them from the nets, before the reader had read them. `drawings/eagle_pins.csv` has for each drawing `PIN:PART`
 (`BOARD.PIN:PART` where there are several boards), and what counts neither way (`*` for any pin or part), such as plain connectors
 beside a drawn device. Its `set` is `tune` for the drawings that the rules were made with, `held` for those that were first
-measured with them, and `later` for those that were labelled and measured after that. The drawings are no part of the project: ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
+measured with them, and `later` for those that were labelled and measured after that. The drawings are no part of the project:
+ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
 """
 
 from __future__ import annotations
