@@ -12,6 +12,7 @@ files is the caller's part.
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 from collections.abc import Callable, Sequence
@@ -20,7 +21,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from urllib.parse import unquote
 
 from robosmi import inputs
-from robosmi.diagnostics import Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.ecore.metamodels import OWN_NAMESPACES, Metamodels, built_in
 from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Unreadable
@@ -35,6 +36,7 @@ from robosmi.model.elements.compact_slots import (
 )
 from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
 from robosmi.model.elements.features import as_package
+from robosmi.model.elements.proxies import new_proxy
 from robosmi.model.elements.pyecore_internals import (
     add_silently,
     contain,
@@ -54,6 +56,9 @@ if TYPE_CHECKING:
 
 __all__ = ["DamagedModelError", "Document", "UnreadableModelError", "read_documents", "read_models", "resolve"]
 _SHOWN = 20
+_PLATFORM = re.compile("platform:/(?:resource|plugin)/(.+)")
+BOUNDS, UNRESOLVED, FOREIGN = "RS608", "RS609", "RS610"
+UNRESOLVED_FIX = "put the file at its place, or give the session its place or a hook: Session(uris=..., resolve=...)"
 _SCHEME = re.compile("([A-Za-z][A-Za-z0-9+.-]*):")
 Problems = list[tuple[Location, str]]
 
@@ -84,6 +89,27 @@ class UnreadableModelError(SourceError):
         self.problems = problems
         more = f"; there are {len(problems)} problems:\n{_listed(problems)}" if len(problems) > 1 else ""
         super().__init__(f"{text}{more}", location=location, fix=fix)
+
+
+class Oddities:
+    """What is odd in files that were read all the same: one finding of each kind, with its first place and their number."""
+
+    def __init__(self) -> None:
+        self._kinds: dict[tuple[str, tuple[str, ...]], list[Any]] = {}
+
+    def add(self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str) -> None:
+        """Note one."""
+        known = self._kinds.setdefault((rule, kind), [0, place, text, fix])
+        known[0] += 1
+
+    def findings(self) -> list[Finding]:
+        """One of each kind, in the order in which they were met."""
+        return [
+            Finding(
+                rule, Severity.warning, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix
+            )
+            for (rule, _), (number, place, text, fix) in self._kinds.items()
+        ]
 
 
 def _listed(problems: Problems) -> str:
@@ -121,7 +147,7 @@ def read_documents(
     path: Path,
     metamodels: Metamodels,
     *,
-    bounds: bool = True,
+    strict: bool = True,
     inside: Path | None = None,
     opened: OpenDocuments | None = None,
 ) -> dict[Path, Document]:
@@ -132,7 +158,8 @@ def read_documents(
     Args:
         path: the .xmi file.
         metamodels: the metamodels the files may use; a file may name others by xsi:schemaLocation, for this read only.
-        bounds: whether an element that lacks a required value, or has more than allowed, is a problem.
+        strict: whether an element that lacks a required value or has more than allowed, and a reference that leads nowhere, are
+            problems; if not, they are findings of the first document, and proxies stand for what is not there.
         inside: the folder that no file is read outside of, after links are resolved; None for any.
         opened: files that are open: a reference to one leads to its elements; None for none.
 
@@ -145,21 +172,41 @@ def read_documents(
         DamagedModelError: a file contradicts its metamodel, or a reference leads nowhere. Both list all problems.
     """
     with collector_at_rest():
-        reader = _Reader(metamodels, inside, opened)
+        reader = _Reader(metamodels, inside, opened, strict)
         reader.open(Path(os.path.realpath(path)), None)
         reader.link()
-        if bounds:
-            reader.count()
+        reader.count()
     if reader.fatal is not None:
         raise UnreadableModelError(reader.sorted_problems(), *reader.fatal)
     if reader.problems:
         raise DamagedModelError(reader.sorted_problems(), any(each.unsupported for each in reader.documents.values()))
+    if (first := next(iter(reader.documents.values()), None)) is not None:
+        first.findings = reader.odd.findings()
     return reader.documents
 
 
+def read_alone(path: Path, data: bytes, metamodels: Metamodels) -> Document | None:
+    """The document of one text as if its file had it; what it refers to in other files stays proxies, and no file is read.
+
+    Returns:
+        None if it cannot be read, or is a metamodel.
+    """
+    with collector_at_rest():
+        reader = _Reader(metamodels, None, None, False)
+        reader.texts = {path: data}
+        document = reader.open(path, None)
+        reader.link()
+    return document if isinstance(document, Document) and reader.fatal is None and not reader.problems else None
+
+
 class _Reader:
-    def __init__(self, metamodels: Metamodels, inside: Path | None, opened: OpenDocuments | None) -> None:
+    texts: dict[Path, bytes] | None = None
+    """The only files that are read, where not all are."""
+
+    def __init__(self, metamodels: Metamodels, inside: Path | None, opened: OpenDocuments | None, strict: bool) -> None:
         self.metamodels = metamodels
+        self.strict = strict
+        self.odd = Oddities()
         self.opened = opened
         self.inside = os.path.realpath(inside) if inside is not None else None
         self.plans = Plans()
@@ -178,6 +225,9 @@ class _Reader:
 
     def give_up(self, location: Location, text: str, fix: str) -> None:
         """Note that a file cannot be read at all."""
+        if not self.strict and self.documents:  # a file beside the one that is read: proxies stand for what is in it
+            self.odd.add(UNRESOLVED, ("file", text), location, text, "check the path, or give the metamodel of that file")
+            return
         self.problems.append((location, text))
         if self.fatal is None:
             self.fatal = (text, location, fix)
@@ -200,7 +250,9 @@ class _Reader:
             )  # fmt: skip
             return None
         try:
-            data = inputs.read_bytes(path, inputs.MODEL)
+            if self.texts is not None and path not in self.texts:
+                return None
+            data = inputs.read_bytes(path, inputs.MODEL) if self.texts is None else self.texts[path]
         except OSError as error:
             self._refused.add(path)
             why = error.strerror or str(error)
@@ -215,6 +267,9 @@ class _Reader:
             document = parse(
                 path, data, self.plans, self.package, lambda text: self.locate(path, text),
                 lambda line, text: self.problems.append((Location(place, line), text)),
+                None if self.strict else lambda line, text, uri: self.odd.add(
+                    FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
+                ),
             )  # fmt: skip
         except ForeignRoot:
             return self.ecore(path, referrer or Location(place))
@@ -224,6 +279,7 @@ class _Reader:
             self.give_up(Location(place, error.line), text, fix)
             return None
         self.documents[path] = document
+        document.digest = hashlib.sha256(data).hexdigest()
         return document
 
     def _unknown(self, error: Unreadable) -> tuple[str, str]:
@@ -284,7 +340,9 @@ class _Reader:
     def link(self) -> None:
         """Resolve all references, reading further files as they are met."""
         linker = XmiLinker(
-            self.find, lambda document, line, text: self.problems.append((Location(str(document.path), line), text))
+            self.find,
+            lambda document, line, text: self.problems.append((Location(str(document.path), line), text)),
+            self.missing if not self.strict or (self.opened is not None and self.opened.hook is not None) else None,
         )
         linked = 0
         while linked < len(self.documents):
@@ -306,13 +364,47 @@ class _Reader:
         location = Location(str(document.path), line)
         found = ecore.EString.ePackage if uri == ecore.nsURI else self.package(uri)
         if found is None:
-            path = self._local(document.path, uri)
+            path = self.mapped(document.path, uri) or self._local(document.path, uri)
             if path is not None:
                 found = (self.opened.get(path) if self.opened is not None else None) or self.open(path, location)
-            else:
+            elif self.strict:
                 self.problems.append((location, f"'{uri}' is no file and no known metamodel"))
+            else:
+                text = f"'{uri}' is no file and no known metamodel"
+                self.odd.add(UNRESOLVED, ("uri", uri), location, text, UNRESOLVED_FIX)
         self._opened[key] = found
         return found
+
+    def mapped(self, path: Path, uri: str) -> Path | None:
+        """The file of a URI by the session's mapping, or of `platform:/...` by the folders above the file; None for none."""
+        for start, place in sorted(self.opened.uris.items(), key=lambda pair: -len(pair[0])) if self.opened is not None else ():
+            if uri.startswith(start):
+                rest = unquote(uri[len(start) :])
+                return Path(os.path.realpath(Path(place) / rest if rest else place))
+        if (workspace := _PLATFORM.fullmatch(uri)) is not None:
+            inner = unquote(workspace[1])
+            return next((above / inner for above in path.parents if (above / inner).is_file()), None)
+        return None
+
+    def missing(
+        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, unread: bool
+    ) -> DynamicEObject | None:
+        """What stands for the target of a reference that leads nowhere: what the session's hook gives, or a proxy."""
+        if self.opened is not None and self.opened.hook is not None:
+            found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
+            if found is not None:
+                return found
+        place, name = Location(str(document.path), line), f"{type(owner).__name__}.{entry.feature.name}"
+        if self.strict:
+            if not unread:
+                self.problems.append((place, f"{name}: '{link}' leads to nothing"))
+            return None
+        kind = link.partition("#")[0] if "#" in link else ""
+        if not unread:  # why its file was not read is told already
+            self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX)
+        cls = document.types.get(link) or entry.declared.python_class
+        proxy: DynamicEObject = new_proxy(cls, link, document.path.parent)
+        return proxy
 
     def count(self) -> None:
         """Hold the elements against the bounds of their features."""
@@ -326,12 +418,22 @@ class _Reader:
                     if number < lower:
                         wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
                         text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"
-                        self.problems.append((Location(place, line), text))
+                        self.out_of_bounds(Location(place, line), (plan.name, name, "few"), text)
                     elif 1 < upper < number:
-                        self.problems.append((Location(place, line), f"{plan.name}.{name} takes {upper} values, not {number}"))
+                        text = f"{plan.name}.{name} takes {upper} values, not {number}"
+                        self.out_of_bounds(Location(place, line), (plan.name, name, "many"), text)
+
+    def out_of_bounds(self, place: Location, kind: tuple[str, ...], text: str) -> None:
+        """Note that an element has too few or too many values."""
+        if self.strict:
+            self.problems.append((place, text))
+        else:
+            self.odd.add(BOUNDS, kind, place, text, "correct the model, or the bounds in its metamodel")
 
 
 Problem = Callable[[Document, int, str], None]
+Missing: TypeAlias = "Callable[[Document, str, int, EObject, FeatureEntry, bool], DynamicEObject | None]"
+"""Document, URI, line, owner and feature of a reference, whether that was told already -> what stands for its target."""
 Where: TypeAlias = "Document | Package"
 Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
 """Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
@@ -347,11 +449,13 @@ class XmiLinker:
     Args:
         open_file: finds the document or package that a URI's file part names.
         problem: is told document, line and text of every problem.
+        missing: gives what stands for a target that is not there; None if that is a problem.
     """
 
-    def __init__(self, open_file: Open, problem: Problem) -> None:
+    def __init__(self, open_file: Open, problem: Problem, missing: Missing | None = None) -> None:
         self.open_file = open_file
         self.problem = problem
+        self.missing = missing
         self._found: dict[int, dict[str, DynamicEObject]] = {}
         self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
 
@@ -410,10 +514,12 @@ class XmiLinker:
             file, _, fragment = link.partition("#")
             where = self.open_file(document, file, line)
             if where is None:
-                return None
+                return None if self.missing is None else self.missing(document, link, line, owner, entry, True)
             found = resolve(where, fragment)
         else:
             found = resolve(document, link.removeprefix("#"))
+        if found is None and self.missing is not None:
+            return self.missing(document, link, line, owner, entry, False)
         if found is None:
             self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
         elif "#" not in link:
