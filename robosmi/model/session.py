@@ -23,6 +23,7 @@ from robosmi.files.files import read_input, write_atomic
 from robosmi.model.ecore.ecore_classes import PackageMaker
 from robosmi.model.ecore.ecore_loader import MetamodelReader
 from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.ecore.metamodel_files import metamodel_files
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
 from robosmi.model.opening import driver_of
@@ -66,13 +67,13 @@ class Session:
         """The metamodel of .ecore files, and of those that they refer to: made by the first call, the same in all others.
 
         Args:
-            paths: the files; their packages come first, in this order.
+            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order.
 
         Raises:
             SourceError: a file cannot be read as XML.
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
-        described = self._reader.read([Path(path) for path in paths])
+        described = self._reader.read(metamodel_files(paths))
         for source in dict.fromkeys(package.source for package in described):
             digest = _digest(source)
             if self._digests.setdefault(source, digest) != digest:

@@ -239,6 +239,9 @@ class Model(ABC):
             raise AttributeError(name)
         return self[name]
 
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name for name in self.type_names() if name.isidentifier())]
+
     def _collected(self, items: Sequence[Node]) -> Any:
         """How a type handle returns several elements; layers above return collections of their own."""
         return items

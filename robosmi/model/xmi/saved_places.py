@@ -122,7 +122,7 @@ def _as_written(path: Path, data: bytes, metamodels: Metamodels, target: Path) -
     document = read_alone(path, data, metamodels)
     if document is None:
         return None
-    models = {target.name: list(document.roots)}
+    models: dict[str, list[EObject]] = {target.name: list(document.roots)}
     try:
         locations = XmiLocations(models, None, target.parent)
         places = metamodel_places(path, document.schema_locations, target)
