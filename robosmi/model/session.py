@@ -28,7 +28,7 @@ from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
 from robosmi.model.opening import driver_of
 from robosmi.model.xmi.open_files import Hook, OpenFiles
-from robosmi.model.xmi.saved_places import keep_what_is_lost
+from robosmi.model.xmi.saved_places import keep_what_is_lost, texts_of
 
 V = TypeVar("V")
 Paths = str | Path | Sequence[str | Path]
@@ -121,7 +121,7 @@ class Session:
         Raises:
             ModelError, SourceError: as `EmfModel.save`.
         """
-        texts = self._files.texts()
+        texts = texts_of(self._files)
         others = [model for model in self._models if not isinstance(model, EmfModel) and not model.read_only]
         before = {path: inputs.read_bytes(path, inputs.MODEL) for path in texts if path.is_file()}
         changed = {path: text for path, text in texts.items() if before.get(path) != text}

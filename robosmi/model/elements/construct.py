@@ -25,6 +25,7 @@ from robosmi.model.elements.pyecore_internals import (
     key_of,
     own_resource_of,
 )
+from robosmi.model.elements.structure import disconnect
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Slots
@@ -86,8 +87,6 @@ def initialise(element: EObject, features: dict[str, Any]) -> None:
             elif put is None or not put(element, slots, key, feature, known, value):
                 setattr(element, name, value)
     except ModelError:
-        from robosmi.model.elements.element_factory import disconnect  # which imports the classes of elements
-
         disconnect(element)
         raise
     if SET_FEATURES in slots:  # else it is read off the slots when somebody asks

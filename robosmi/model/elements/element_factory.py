@@ -19,7 +19,7 @@ from robosmi.model.elements.pyecore_internals import (
     read,
     set_features_of,
 )
-from robosmi.model.elements.structure import walk
+from robosmi.model.elements.structure import disconnect, walk
 
 if TYPE_CHECKING:
     from robosmi.model.elements.driver import ItemOrItems
@@ -56,16 +56,6 @@ def new(kind: Kind, /, **features: Any) -> Any:
         disconnect(made)
         raise
     return made
-
-
-def disconnect(made: Any) -> None:
-    """Take an element that could not be made out of its container and out of all references."""
-    for feature in all_features(made.eClass):
-        slot = made.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
-        if slot is not None and feature.many:
-            read(slot).clear()
-        elif slot is not None and read(slot) is not None:
-            setattr(made, key_of(feature), None)
 
 
 def refuse_unnamed(kind: Kind, values: Sequence[object]) -> None:

@@ -26,7 +26,7 @@ class NotKept(Exception):
     """The layout of a file cannot be kept."""
 
 
-class Node(Struct, eq=False):
+class TextElement(Struct, eq=False):
     """An element of an XML text: where its start tag and its end tag begin and end."""
 
     tag: bytes
@@ -36,7 +36,7 @@ class Node(Struct, eq=False):
     end: int = 0
     attributes: dict[bytes, tuple[int, int, bytes]] = {}
     """Name -> where its text with the blanks before it begins and ends, and its value with the quotes."""
-    children: list[Node] = []
+    children: list[TextElement] = []
 
     @property
     def local(self) -> bytes:
@@ -63,7 +63,7 @@ def kept(original: bytes, before: bytes, now: bytes) -> bytes:
     if before == now:
         return original
     text, encoding, mark = _decoded(original)
-    file, old, new = (Layout(each) for each in (text.encode(), before, now))
+    file, old, new = (ElementText(each) for each in (text.encode(), before, now))
     root = file.root
     if root.local == b"XMI" and old.root.local != b"XMI":  # one root in an element around all
         inside = [child for child in root.children if child.local == old.root.local]
@@ -90,7 +90,7 @@ def _decoded(data: bytes) -> tuple[str, str, bytes]:
         raise NotKept from None
 
 
-class Layout:
+class ElementText:
     """The elements of an XML text and where they lie in it.
 
     Args:
@@ -101,8 +101,8 @@ class Layout:
         self.data = data
         self.newline = b"\r\n" if b"\r\n" in data else b"\n"
         parser = expat.ParserCreate("utf-8")
-        stack: list[Node] = []
-        tops: list[Node] = []
+        stack: list[TextElement] = []
+        tops: list[TextElement] = []
 
         def start(name: str, _: dict[str, str]) -> None:
             node = self._start_tag(name.encode(), parser.CurrentByteIndex)
@@ -123,33 +123,33 @@ class Layout:
             raise NotKept from None
         self.root = tops[0]
 
-    def _start_tag(self, tag: bytes, at: int) -> Node:
+    def _start_tag(self, tag: bytes, at: int) -> TextElement:
         place = at + 1 + len(tag)
         attributes: dict[bytes, tuple[int, int, bytes]] = {}
         while (found := _ATTRIBUTE.match(self.data, place)) is not None:
             attributes[found[2]] = (found.start(), found.end(), found[4])
             place = found.end()
         inner = self.data.index(b">", place) + 1
-        node = Node(tag, at, inner, attributes=attributes, children=[])
+        node = TextElement(tag, at, inner, attributes=attributes, children=[])
         if self.data[inner - 2 : inner] == b"/>":
             node.outer = node.end = inner
         return node
 
-    def of(self, node: Node) -> bytes:
+    def of(self, node: TextElement) -> bytes:
         """The text of an element."""
         return self.data[node.start : node.end]
 
-    def value(self, node: Node, name: bytes) -> bytes | None:
+    def value(self, node: TextElement, name: bytes) -> bytes | None:
         """The value of an attribute, without its quotes."""
         found = node.attributes.get(name)
         return None if found is None else found[2][1:-1]
 
-    def key(self, node: Node) -> tuple[bytes, ...]:
+    def key(self, node: TextElement) -> tuple[bytes, ...]:
         """What an element is likely to be recognised by after it was changed."""
         found = next((value for name in _KEYS if (value := self.value(node, name)) is not None), b"")
         return node.tag, found if found or node.children else self.of(node)
 
-    def indent(self, node: Node) -> bytes:
+    def indent(self, node: TextElement) -> bytes:
         """The blanks before an element in its line."""
         line = self.data.rfind(b"\n", 0, node.start) + 1
         before = self.data[line : node.start]
@@ -159,12 +159,12 @@ class Layout:
 class _Merge:
     """Puts what is new into the file's layout."""
 
-    def __init__(self, file: Layout, old: Layout, new: Layout) -> None:
+    def __init__(self, file: ElementText, old: ElementText, new: ElementText) -> None:
         self.file = file
         self.old = old
         self.new = new
 
-    def element(self, file: Node, old: Node, new: Node) -> bytes:
+    def element(self, file: TextElement, old: TextElement, new: TextElement) -> bytes:
         """The text of an element that the file has."""
         if self.old.of(old) == self.new.of(new):
             return self.file.of(file)
@@ -180,7 +180,7 @@ class _Merge:
             return head + b"/>"
         return b"%s>%s</%s>" % (head, body, file.tag)
 
-    def head(self, file: Node, old: Node, new: Node) -> tuple[bytes, set[bytes]]:
+    def head(self, file: TextElement, old: TextElement, new: TextElement) -> tuple[bytes, set[bytes]]:
         """The start tag without its end, and the names of attributes that are no elements any more."""
         parts = [self.file.data[file.start : file.start + 1 + len(file.tag)]]
         gone: set[bytes] = set()
@@ -201,18 +201,18 @@ class _Merge:
         gone |= {name for name in old.attributes if name not in new.attributes and name not in file.attributes}
         return b"".join(parts), gone
 
-    def body(self, file: Node, old: Node, new: Node, gone: set[bytes]) -> bytes:
+    def body(self, file: TextElement, old: TextElement, new: TextElement, gone: set[bytes]) -> bytes:
         """What is between the tags."""
         of_old = self.aligned(file, old, new)
         matched = self.matched(old, new)
-        pending: dict[bytes, list[Node]] = {}
+        pending: dict[bytes, list[TextElement]] = {}
         for child in new.children:
             pending.setdefault(child.tag, []).append(child)
         last_of = {child.local: child for child in file.children if id(child) in of_old}
         sample = file.children[0] if file.children else None
         indent = self.file.indent(sample) if sample is not None else self.file.indent(file) + b"  "
         out: list[bytes] = []
-        coming: list[Node] = []
+        coming: list[TextElement] = []
         place = file.inner
         for child in file.children:
             gap, place = self.file.data[place : child.start], child.end
@@ -245,9 +245,9 @@ class _Merge:
             return b""
         return b"".join(out) + rest
 
-    def aligned(self, file: Node, old: Node, new: Node) -> dict[int, Node]:
+    def aligned(self, file: TextElement, old: TextElement, new: TextElement) -> dict[int, TextElement]:
         """The file's children -> what we write for them; by name and place among those of the name."""
-        found: dict[int, Node] = {}
+        found: dict[int, TextElement] = {}
         for tag in dict.fromkeys(child.tag for child in old.children):
             ours = [child for child in old.children if child.tag == tag]
             theirs = [child for child in file.children if child.local == tag]
@@ -257,16 +257,16 @@ class _Merge:
                 raise NotKept
         return found
 
-    def matched(self, old: Node, new: Node) -> dict[int, Node]:
+    def matched(self, old: TextElement, new: TextElement) -> dict[int, TextElement]:
         """The children as they were -> the same as they are."""
-        found: dict[int, Node] = {}
+        found: dict[int, TextElement] = {}
         for tag in dict.fromkeys(child.tag for child in old.children):
             ours = [child for child in old.children if child.tag == tag]
             theirs = [child for child in new.children if child.tag == tag]
             found |= {id(our): their for our, their in self.pairs(ours, theirs)}
         return found
 
-    def pairs(self, old: list[Node], new: list[Node]) -> Iterator[tuple[Node, Node]]:
+    def pairs(self, old: list[TextElement], new: list[TextElement]) -> Iterator[tuple[TextElement, TextElement]]:
         """Children that are the same, in the order of both."""
         start, stop = 0, 0
         while start < min(len(old), len(new)) and self.old.key(old[start]) == self.new.key(new[start]):
@@ -283,7 +283,7 @@ class _Merge:
                 yield from zip(ours[a:b], theirs[c:d], strict=True)
         yield from zip(old[len(old) - stop :], new[len(new) - stop :], strict=True)
 
-    def filled(self, gap: bytes, coming: list[Node], indent: bytes) -> bytes:
+    def filled(self, gap: bytes, coming: list[TextElement], indent: bytes) -> bytes:
         """What is between two elements, with new ones behind the line of the first."""
         if not coming:
             return gap
@@ -295,7 +295,7 @@ class _Merge:
             + rest
         )
 
-    def inserted(self, child: Node, indent: bytes) -> bytes:
+    def inserted(self, child: TextElement, indent: bytes) -> bytes:
         """The text of a new element in a line of its own."""
         text = self.new.of(child).replace(b"\n" + self.new.indent(child), b"\n" + indent)
         return self.file.newline + indent + text.replace(b"\n", self.file.newline)

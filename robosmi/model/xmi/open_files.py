@@ -86,20 +86,13 @@ class OpenFiles:
             path: model.roots for path, model in self._models.items()
         }
 
-    def texts(self) -> dict[Path, bytes]:
-        """The texts of all files, open or read with an open one, as they would be saved.
+    def models(self) -> dict[Path, OpenModel]:
+        """The open models."""
+        return dict(self._models)
 
-        Raises:
-            ModelError: one cannot be written.
-        """
-        from robosmi.model.xmi.saved_places import in_its_layout, still_roots, text_of
-
-        around, packages = self.places(), [package for model in self._models.values() for package in model.packages]
-        made: dict[Path, bytes] = {}
-        for path, (document, digest) in self._read.items():
-            text = text_of(path, still_roots(document.roots), around, path, document.schema_locations)
-            made[path] = in_its_layout(text, path, digest, packages, path)
-        return made | {path: model.to_bytes() for path, model in self._models.items()}
+    def read(self) -> dict[Path, tuple[Document, str]]:
+        """The documents that were read with them, and the digests of their files."""
+        return dict(self._read)
 
     def find(self, path: Path) -> Document | None:
         """The elements of a file that is open, as they are now, or None."""

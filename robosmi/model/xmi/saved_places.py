@@ -28,6 +28,7 @@ from robosmi.model.xmi.xmi_writer import roots_in, text_with, to_xmi
 from robosmi.model.xmi.xml_comments import comments_lost
 
 if TYPE_CHECKING:
+    from robosmi.model.xmi.open_files import OpenFiles
     from robosmi.model.xmi.xmi_layout import Root
     from robosmi.model.xmi.xmi_locations import Neighbour
 
@@ -59,6 +60,21 @@ def text_of(
     locations = XmiLocations(models, neighbour_finder(target, models), target.parent)
     places = metamodel_places(source or target, schema_locations, target)
     return to_xmi(models, [target.name], locations, schema_locations=places)[target.name]
+
+
+def texts_of(files: OpenFiles) -> dict[Path, bytes]:
+    """The texts of all files of a session, open or read with an open one, as they would be saved.
+
+    Raises:
+        ModelError: one cannot be written.
+    """
+    around, models = files.places(), files.models()
+    packages = [package for model in models.values() for package in model.packages]
+    made: dict[Path, bytes] = {}
+    for path, (document, digest) in files.read().items():
+        text = text_of(path, still_roots(document.roots), around, path, document.schema_locations)
+        made[path] = in_its_layout(text, path, digest, packages, path)
+    return made | {path: model.to_bytes() for path, model in models.items()}
 
 
 def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPackage], target: Path) -> bytes:
