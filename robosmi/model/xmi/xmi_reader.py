@@ -1,4 +1,4 @@
-"""XMI files to models: a file and everything it refers to, as plain elements; proxies stand for what is not there, unless it is read strictly.
+"""XMI files to models: a file and everything it refers to; proxies stand for what is not there.
 
 The way in to the reader. Opens files, finds metamodels (also by xsi:schemaLocation), collects the problems of all files and
 reports them together. One file is `xmi_parser`'s part, references `xmi_linker`'s, and what a class demands is in its plan.
