@@ -96,8 +96,11 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     if original == text or hashlib.sha256(original).hexdigest() != digest or _is_nearly(original, text):
         return text
     known = Metamodels([*packages, *built_in().packages])
-    before, now = _as_written(source, original, known, target), _as_written(target, text, known, target)
-    if before is None or now is None:
+    before = _as_written(source, original, known, target)
+    if before is None or before == original:  # the file's layout is ours
+        return text
+    now = _as_written(target, text, known, target)
+    if now is None:
         return text
     try:
         made = kept(original, before, now)
