@@ -23,7 +23,8 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from glob import has_magic
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -75,6 +76,7 @@ class Chain:
         metamodel: Paths = (),
         driver: str | Function | None = None,
         lenient: bool = False,
+        strict: bool = False,
         reads: Paths = (),
         step: str = "",
     ) -> None:
@@ -86,13 +88,14 @@ class Chain:
             metamodel: .ecore files, of XMI.
             driver: the driver's name, or a driver itself: it is called with the path and the model's name, and gives a `Model`;
                 found by the file's ending if None.
-            lenient: whether an XMI file may lack required values, or have too many or too few: a `validate` finds and mends that.
+            lenient: has no effect; an XMI file may lack required values, or have too many, unless it is read strictly.
+            strict: whether that, and a reference that leads nowhere, is an error.
             reads: files that the model refers to.
             step: the step's name; `load NAME` if not given.
         """
         own, named = (None, driver) if driver is None or isinstance(driver, str) else (driver, None)
         title = step or f"load {name}"
-        options = {"metamodel": metamodel, "driver": named, "lenient": lenient, "reads": reads}
+        options = {"metamodel": metamodel, "driver": named, "lenient": lenient, "strict": strict, "reads": reads}
         self._add(title, "load", own, (), makes=name, file=file, **options)
 
     def validate(self, function: Function, *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = "") -> None:
@@ -252,6 +255,7 @@ class Chain:
         for key in ("metamodel", "reads"):
             given = options.get(key, ())
             options[key] = tuple(folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
+        options["metamodel"] = tuple(_spread(options["metamodel"]))
         code = _source_of(function) if function is not None else None
         listed = (models,) if isinstance(models, str) else tuple(models)
         title = name or getattr(function, "__name__", None) or kind
@@ -364,6 +368,17 @@ class Chain:
         )  # fmt: skip
         run.give(**{**self.defaults, **values})
         return run
+
+
+def _spread(paths: Iterable[Path]) -> Iterator[Path]:
+    """The .ecore files of folders and patterns; files as they are, whether they exist or not."""
+    from robosmi.model.ecore.metamodel_files import metamodel_files  # a chain of plain functions has no metamodels
+
+    for path in paths:
+        if path.is_dir() or (has_magic(path.name) and not path.exists()):
+            yield from metamodel_files([path])
+        else:
+            yield path
 
 
 def _source_of(function: Function) -> str | None:

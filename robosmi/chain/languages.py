@@ -73,7 +73,7 @@ def load(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
     if step.function is not None:
         made = _opened(step, step.function)
     else:
-        options = {"lenient": True} if step.lenient else {}
+        options = {"strict": True} if step.strict else {}
         made = doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel, **options)
     return StepResult(step, "done"), ModelView(made)
 

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 
 _KEYS: dict[str, dict[str, bool]] = {
-    "load": {"file": True, "metamodel": False, "driver": False, "lenient": False},
+    "load": {"file": True, "metamodel": False, "driver": False, "lenient": False, "strict": False},
     "validate": {"models": True, "stop_at": False},
     "transform": {"models": True, "makes": True, "metamodel": False, "file": False, "trace": False, "driver": False},
     "migrate": {"models": True, "makes": True, "metamodel": True, "file": False},
     "generate": {"models": True, "folder": True, "templates": False},
 }
 """Key of each kind -> whether it must be there."""
-_FLAGS = ("lenient",)
+_FLAGS = ("lenient", "strict")
 _LISTS = ("models", "metamodel", "reads")
 
 
@@ -46,6 +46,12 @@ def read_chain(path: str | Path) -> Chain:
     """
     file = Path(path)
     text = read_input(file, "chain", inputs.SETTINGS)
+    if file.suffix.lower() in (".eol", ".etl", ".evl", ".egl", ".egx", ".mig"):
+        said, fix = (
+            f"'{file.name}' is an Epsilon script, and no chain",
+            "write a chain (docs/reference/chains.md), its rules in Python",
+        )
+        raise SourceError(said, location=Location(str(file)), fix=fix)
     try:
         data = toml_of(text.decode("utf-8"))
     except ValueError as error:

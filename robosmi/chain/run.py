@@ -244,7 +244,7 @@ class ChainRun:
 
     def inputs(self, step: Step) -> str:
         """The digest of all inputs of a step."""
-        settings = [robosmi.__version__, step.kind, step.makes, str(step.driver), step.greatest.name, str(step.lenient)]
+        settings = [robosmi.__version__, step.kind, step.makes, str(step.driver), step.greatest.name, str(step.strict)]
         parts = [("step", "\0".join(settings)), ("keep", str(self.keep and step.kind == "generate"))]
         parts += [(f"output {relative(p, self.folder)}", "") for p in step.outputs()]
         parts += [(f"file {relative(p, self.folder)}", digest_of(p)) for p in step.inputs()]

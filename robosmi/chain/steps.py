@@ -48,7 +48,8 @@ class Step(Struct, frozen=True):
         metamodel: .ecore files of that model.
         trace: the file of the trace of `transform`, None for none.
         driver: the driver of a model that is loaded; found by the file's ending if None.
-        lenient: whether an XMI file is read that has too few or too many values for its metamodel.
+        lenient: has no effect any more.
+        strict: whether too few or too many values in an XMI file, or a reference that leads nowhere, is an error.
         folder: where `generate` writes.
         templates: where its templates are: a folder, or None for the built-in ones.
         reads: further files whose change makes the step run again.
@@ -68,6 +69,7 @@ class Step(Struct, frozen=True):
     trace: Path | None = None
     driver: str | None = None
     lenient: bool = False
+    strict: bool = False
     folder: Path | None = None
     templates: Path | None = None
     reads: tuple[Path, ...] = ()

@@ -8,11 +8,13 @@ and `xmi_writer`, ids are `fragments`'.
 
 from __future__ import annotations
 
+import hashlib
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Never, cast
 
+from robosmi.diagnostics import Finding
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node, refuse_unknown_attribute
@@ -54,6 +56,8 @@ class EmfModel(TypedModel):
         if metamodel is None:
             metamodel = dict.fromkeys(_outermost(root.eClass.ePackage) for root in given)
         super().__init__(Metamodel.of(metamodel), name, path)
+        self.findings: list[Finding] = []
+        self._digest = ""
         self._watch = Watch()
         self._home = Home(self._watch, path)
         self._roots: dict[int, DynamicEObject] = {}
@@ -73,7 +77,8 @@ class EmfModel(TypedModel):
         metamodel: Packages | str | Path | None = None,
         name: str | None = None,
         *,
-        lenient: bool = False,
+        strict: bool = False,
+        lenient: bool = True,
         open_files: OpenFiles | None = None,
     ) -> EmfModel:
         """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
@@ -82,8 +87,9 @@ class EmfModel(TypedModel):
             path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
             metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None, which are known beside others.
             name: what `M!Book` calls it; the file's name without its ending if None.
-            lenient: whether an element may lack a required value, or have more values or fewer than its metamodel says: it is for
-                constraints to find and to mend that.
+            strict: whether an element that lacks a required value or has too many, or a reference leading nowhere, is an error.
+                If not they are `findings` of the model, for `check` and constraints, and proxies stand for what is not there.
+            lenient: False is the same as `strict`.
             open_files: the files of a session, whose elements are referred to as they are; the model becomes one of them.
 
         Raises:
@@ -106,7 +112,7 @@ class EmfModel(TypedModel):
         if roots is None:
             opened = open_files.documents(place) if open_files is not None else None
             try:
-                documents = read_documents(file, used, bounds=not lenient, opened=opened)
+                documents = read_documents(file, used, strict=strict or not lenient, opened=opened)
             except UnreadableModelError as error:
                 roots = [migrated(file, used, error)]
         if roots is None and not documents:  # the file is a metamodel
@@ -129,6 +135,8 @@ class EmfModel(TypedModel):
                 if home_of(root) is None:
                     home.add(root)
         if place in documents:
+            model.findings = documents[place].findings
+            model._digest = documents[place].digest
             model._schema_locations = documents[place].schema_locations
         if open_files is not None:
             open_files.add(place, model, documents)
@@ -139,7 +147,8 @@ class EmfModel(TypedModel):
 
         References into other files lead there again, seen from the new place: into files that were read with the model, and into
         all models that have a path. So does xsi:schemaLocation, where the file had one. Other files are not written, even where
-        their elements have changed (`Session.save_all`).
+        their elements have changed (`Session.save_all`). What did not change keeps its layout, with comments and parts of other
+        namespaces; where comments cannot stay, the old file is kept as NAME.orig.
 
         Args:
             path: the file; the one it was read from if None.
@@ -150,11 +159,17 @@ class EmfModel(TypedModel):
             SourceError: the file cannot be written.
         """
         from robosmi.files.files import write_atomic
+        from robosmi.model.xmi.saved_places import keep_what_is_lost
 
         target = self._target(path)
-        write_atomic(target, self.to_bytes(target, others))
+        text = self.to_bytes(target, others)
+        if self.path is not None and target == self.path:
+            keep_what_is_lost(target, text)
+        write_atomic(target, text)
         if self.path is None:
             self.path = target
+        if self._digest and os.path.realpath(target) == os.path.realpath(self.path):
+            self._digest = hashlib.sha256(text).hexdigest()
 
     def to_bytes(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> bytes:
         """The model as it would be saved.
@@ -162,10 +177,14 @@ class EmfModel(TypedModel):
         Raises:
             ModelError: as for `save`.
         """
-        from robosmi.model.xmi.saved_places import text_of
+        from robosmi.model.xmi.saved_places import in_its_layout, text_of
 
+        target = self._target(path)
         read = self._read_with | (self._open_files.places() if self._open_files is not None else {})
-        return text_of(self._target(path), self.roots, read, self.path, self._schema_locations, others or {})
+        text = text_of(target, self.roots, read, self.path, self._schema_locations, others or {})
+        if self.path is None or not self._digest:
+            return text
+        return in_its_layout(text, self.path, self._digest, self.packages, target)
 
     def __setattr__(self, name: str, value: object) -> None:
         refuse_unknown_attribute(self, name)
@@ -376,8 +395,9 @@ def open_xmi(
     path: Path,
     name: str | None = None,
     metamodel: Packages | str | Path | None = None,
-    lenient: bool = False,
+    strict: bool = False,
+    lenient: bool = True,
     open_files: OpenFiles | None = None,
 ) -> EmfModel:
     """Open an XMI file; see `EmfModel.load`."""
-    return EmfModel.load(path, metamodel, name, lenient=lenient, open_files=open_files)
+    return EmfModel.load(path, metamodel, name, strict=strict, lenient=lenient, open_files=open_files)

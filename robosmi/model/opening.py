@@ -30,6 +30,16 @@ _DRIVERS = {
 _ENDINGS = {".xmi": "emf", ".ecore": "emf", ".xml": "xml", ".csv": "rows", ".tsv": "rows"}
 
 
+_SCRIPT = "an Epsilon script, which is no model", "write it as rules in Python: docs/reference/epsilon.md"
+_NO_MODELS = {
+    **dict.fromkeys((".eol", ".etl", ".evl", ".egl", ".egx", ".ecl", ".eml", ".epl", ".mig", ".pinset"), _SCRIPT),
+    ".emf": ("an Emfatic text, which is not read", "make an .ecore file of it with Eclipse, and give that"),
+    ".flexmi": ("a Flexmi model, which is not read", "save it as XMI with Epsilon, and open that"),
+    ".json": ("JSON, for which there is no driver", "save it as XMI, or name a driver of your own"),
+}
+"""Endings of files that are no models here -> what they are, and what to do."""
+
+
 def drivers() -> list[str]:
     """The names of all drivers, sorted."""
     return sorted({*_DRIVERS, *(name for name in registry().names("driver") if not name.startswith((".", "/")))})
@@ -103,6 +113,8 @@ def _key_of(file: Path, driver: str | None) -> str:
         key = next((key for key in offered if key.startswith("/") and (file / key[1:]).is_file()), "rows")
     elif driver is None:
         key = ending if ending in offered else _ENDINGS.get(ending) or _by_content(file)
+    if key is None and (said := _NO_MODELS.get(ending)) is not None:
+        raise SourceError(f"'{file.name}' is {said[0]}", location=Location(str(file)), fix=said[1])
     if key is None:
         raise SourceError(
             f"no driver takes a '{file.suffix or file.name}' file",

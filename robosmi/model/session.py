@@ -12,7 +12,7 @@ nothing is shared by the whole process. How a file finds its driver is `opening`
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -23,10 +23,12 @@ from robosmi.files.files import read_input, write_atomic
 from robosmi.model.ecore.ecore_classes import PackageMaker
 from robosmi.model.ecore.ecore_loader import MetamodelReader
 from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.ecore.metamodel_files import metamodel_files
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
 from robosmi.model.opening import driver_of
-from robosmi.model.xmi.open_files import OpenFiles
+from robosmi.model.xmi.open_files import Hook, OpenFiles
+from robosmi.model.xmi.saved_places import keep_what_is_lost, texts_of
 
 V = TypeVar("V")
 Paths = str | Path | Sequence[str | Path]
@@ -38,13 +40,18 @@ class Session:
     Two files with one namespace and different content are two versions of a metamodel, as a migration needs them: each model has
     the one that it was opened with. A file that is opened a second time is read a second time, with all that it refers to;
     references of files that are opened later lead to the last model of it.
+
+    Args:
+        resolve: asked for the element of a reference that leads nowhere, by its URI, the file, and the file's root elements; it
+            gives the element, or None for a proxy.
+        uris: beginnings of URIs -> the file or folder that they stand for (`{"pathmap://UML_LIBRARIES/": "libraries"}`).
     """
 
-    def __init__(self) -> None:
+    def __init__(self, resolve: Hook | None = None, uris: Mapping[str, str | Path] | None = None) -> None:
         self._reader = MetamodelReader()
         self._maker = PackageMaker()
         self._digests: dict[Path, str] = {}
-        self._files = OpenFiles()
+        self._files = OpenFiles(resolve, uris)
         self._models: list[Model] = []
 
     def __repr__(self) -> str:
@@ -60,13 +67,13 @@ class Session:
         """The metamodel of .ecore files, and of those that they refer to: made by the first call, the same in all others.
 
         Args:
-            paths: the files; their packages come first, in this order.
+            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order.
 
         Raises:
             SourceError: a file cannot be read as XML.
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
-        described = self._reader.read([Path(path) for path in paths])
+        described = self._reader.read(metamodel_files(paths))
         for source in dict.fromkeys(package.source for package in described):
             digest = _digest(source)
             if self._digests.setdefault(source, digest) != digest:
@@ -114,11 +121,12 @@ class Session:
         Raises:
             ModelError, SourceError: as `EmfModel.save`.
         """
-        texts = self._files.texts()
+        texts = texts_of(self._files)
         others = [model for model in self._models if not isinstance(model, EmfModel) and not model.read_only]
         before = {path: inputs.read_bytes(path, inputs.MODEL) for path in texts if path.is_file()}
         changed = {path: text for path, text in texts.items() if before.get(path) != text}
         for path, text in changed.items():
+            keep_what_is_lost(path, text)
             write_atomic(path, text)
         for model in others:
             model.save()

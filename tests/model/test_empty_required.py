@@ -23,4 +23,4 @@ def test_an_empty_text_is_there(tmp_path: Path) -> None:
 
 def test_a_text_that_is_missing_is_told() -> None:
     with pytest.raises(RobosmiError, match="Door has no 'name', which it needs"):
-        EmfModel.load(ECORE.with_name("without_name.xmi"), ECORE)
+        EmfModel.load(ECORE.with_name("without_name.xmi"), ECORE, strict=True)

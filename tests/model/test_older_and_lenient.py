@@ -162,10 +162,11 @@ def test_without_a_step_an_older_model_is_refused() -> None:
         EmfModel.load(MODEL, METAMODEL)
 
 
-def test_a_missing_value_is_refused_unless_lenient() -> None:
+def test_a_missing_value_is_a_finding_unless_strict() -> None:
     with pytest.raises(RobosmiError, match="Gate has no 'label', which it needs"):
-        EmfModel.load(UNNAMED, METAMODEL)
-    for model in (EmfModel.load(UNNAMED, METAMODEL, lenient=True), open_model(UNNAMED, metamodel=METAMODEL, lenient=True)):
+        EmfModel.load(UNNAMED, METAMODEL, strict=True)
+    for model in (EmfModel.load(UNNAMED, METAMODEL), open_model(UNNAMED, metamodel=METAMODEL, lenient=True)):
+        assert [finding.rule for finding in model.findings] == ["RS608"]
         v = EVL(model)
         v.context("Gate").constraint(name="Named")(lambda gate: gate.label is not None or Fail("none"))
         assert [finding.message for finding in v.run().unsatisfied] == ["none"]

@@ -72,7 +72,7 @@ def test_lines_beyond_65535_are_told(tmp_path: Path) -> None:
 
 def test_bounds_may_be_left_unchecked(tmp_path: Path) -> None:
     (tmp_path / "a.xmi").write_text(f"{HEAD}><items/></kitchen:Root>")
-    found = read_documents(tmp_path / "a.xmi", kitchen(), bounds=False)
+    found = read_documents(tmp_path / "a.xmi", kitchen(), strict=False)
     assert len(found[tmp_path / "a.xmi"].roots[0].items) == 1
     with pytest.raises(ModelError, match="has no 'name'"):
         read_documents(tmp_path / "a.xmi", kitchen())

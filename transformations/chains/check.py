@@ -101,6 +101,7 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
 
 def _validated(done: Checked, models: Sequence[Model]) -> Checked:
     for model in models:
+        done.findings += model.findings if isinstance(model, EmfModel) else []
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
             done.findings += in_file(one.run(model, *_referred(model, models)).findings(), _path(model))

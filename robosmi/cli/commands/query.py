@@ -53,6 +53,7 @@ class _Arguments(argparse.Namespace):
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.model.ecore.metamodel import Metamodel
+    from robosmi.model.emf import EmfModel
     from robosmi.model.opening import open_model
     from robosmi.query.answers import as_json, as_lines
     from robosmi.query.expression import evaluate
@@ -70,6 +71,7 @@ def run(arguments: _Arguments) -> Report:
     options = {"metamodel": Metamodel.load(*arguments.metamodels)} if arguments.metamodels else {}
     models = [open_model(arguments.model, driver, "M", **options)]
     models += [open_model(path, name=name) for name, path in others.items()]
+    report.findings = [finding for model in models if isinstance(model, EmfModel) for finding in model.findings]
     views = [ModelView(model) for model in models]
     shown = Shown()
     with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's

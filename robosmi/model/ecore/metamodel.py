@@ -58,7 +58,7 @@ class Metamodel(Metamodels):
         """Read .ecore files, and those that they refer to.
 
         Args:
-            paths: the files; their packages come first, in this order.
+            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order.
 
         Raises:
             SourceError: a file cannot be read as XML.
@@ -66,8 +66,9 @@ class Metamodel(Metamodels):
         """
         from robosmi.model.ecore.ecore_classes import make_packages
         from robosmi.model.ecore.ecore_loader import load_metamodels
+        from robosmi.model.ecore.metamodel_files import metamodel_files
 
-        return cls(make_packages(load_metamodels([Path(path) for path in paths])))
+        return cls(make_packages(load_metamodels(metamodel_files(paths))))
 
     @classmethod
     def ecore(cls) -> Metamodel:
@@ -142,6 +143,9 @@ class Metamodel(Metamodels):
         if found is None:
             raise unknown_type(name, self.names())
         return getattr(found, "python_class", found)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.names()]
 
     def __repr__(self) -> str:
         return f"<Metamodel {', '.join(str(p.name) for p in self.epackages)}: {len(self.names())} types>"

@@ -12,16 +12,18 @@ from typing import TypeAlias
 
 from msgspec import Struct
 
+from robosmi.diagnostics import Finding
 from robosmi.model.elements.ecore import DynamicEObject, EObject, Package
 from robosmi.model.elements.xmi_plan import ClassPlan, FeatureEntry
 
 NO_MODEL = "give a model in XMI"
 """The advice for a file that is no model."""
 Problem = Callable[[int, str], None]
+Foreign = Callable[[int, str, str], None]
 PackageOf: TypeAlias = "Callable[[str], Package | None]"
 """Namespace URI -> EPackage or generated module, or None."""
 
-XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
+XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/(spec/)?XMI(/[0-9.]+)?)")
 """The namespaces that XMI itself has had."""
 
 
@@ -55,6 +57,9 @@ class Document(Struct):
         parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
         counted: elements whose class bounds the number of values, with their lines.
         schema_locations: namespaces and the places of their metamodels (xsi:schemaLocation), as the file has them.
+        types: the URIs of elements that lie elsewhere -> the Python classes that the file names for them.
+        findings: what is odd in the files that were read together; of the first one only.
+        digest: that of its bytes.
         unsupported: whether it has elements of a class that is right, and that cannot be read.
     """
 
@@ -65,4 +70,7 @@ class Document(Struct):
     parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
     counted: list[tuple[EObject, ClassPlan, int]] = []
     schema_locations: list[tuple[str, str]] = []
+    types: dict[str, type] = {}
+    findings: list[Finding] = []
+    digest: str = ""
     unsupported: bool = False

@@ -27,6 +27,7 @@ from robosmi.model.elements.pyecore_internals import (
     own_resource_of,
     read,
 )
+from robosmi.model.elements.structure import disconnect
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Slots

@@ -239,6 +239,9 @@ class Model(ABC):
             raise AttributeError(name)
         return self[name]
 
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name for name in self.type_names() if name.isidentifier())]
+
     def _collected(self, items: Sequence[Node]) -> Any:
         """How a type handle returns several elements; layers above return collections of their own."""
         return items
@@ -348,7 +351,7 @@ def refuse_unknown_attribute(model: Model, name: str) -> None:
 
 
 _GUARDED = ("robosmi.model.emf", "robosmi.model.plain_xml", "robosmi.query.models")
-_SET_BY_MODELS = ("name", "path", "metamodel", "model", "read_only")
+_SET_BY_MODELS = ("name", "path", "findings", "metamodel", "model", "read_only")
 
 
 def is_element(value: Any) -> TypeGuard[DynamicNode]:

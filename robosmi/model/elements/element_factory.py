@@ -20,7 +20,7 @@ from robosmi.model.elements.pyecore_internals import (
     read,
     set_features_of,
 )
-from robosmi.model.elements.structure import walk
+from robosmi.model.elements.structure import disconnect, walk
 
 if TYPE_CHECKING:
     from robosmi.model.elements.driver import ItemOrItems

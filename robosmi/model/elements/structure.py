@@ -94,3 +94,13 @@ def place_in(collection: Any, element: EObject) -> int:
     if 0 <= guess < len(collection) and collection[guess] is element:
         return int(guess)
     return next((i for i, x in enumerate(collection) if x is element), -1)
+
+
+def disconnect(made: Any) -> None:
+    """Take an element that could not be made out of its container and out of all references."""
+    for feature in all_features(made.eClass):
+        slot = made.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
+        if slot is not None and feature.many:
+            read(slot).clear()
+        elif slot is not None and read(slot) is not None:
+            setattr(made, key_of(feature), None)

@@ -7,9 +7,9 @@ references.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from robosmi import inputs
 from robosmi.model.ecore.metamodels import Metamodels, built_in
@@ -38,16 +38,27 @@ class OpenModel(Protocol):
         """All of its elements."""
 
 
-class OpenFiles:
-    """The open models and the files that were read with them, by their absolute paths."""
+Hook: TypeAlias = Callable[[str, Path, list[DynamicEObject]], DynamicEObject | None]
+"""The URI of a reference that leads nowhere, the file that has it, its root elements -> the element that is meant, or None."""
 
-    def __init__(self) -> None:
+
+class OpenFiles:
+    """The open models and the files that were read with them, by their absolute paths.
+
+    Args:
+        resolve: finds what references lead to that lead nowhere.
+        uris: beginnings of URIs -> the file or folder that they stand for.
+    """
+
+    def __init__(self, resolve: Hook | None = None, uris: Mapping[str, str | Path] | None = None) -> None:
+        self.hook = resolve
+        self.uris = dict(uris or {})
         self._models: dict[Path, OpenModel] = {}
         self._read: dict[Path, tuple[Document, str]] = {}
 
     def documents(self, path: Path) -> OpenDocuments:
         """What a file that is opened now may refer to; nothing when it is open already, as it is then read a second time."""
-        return OpenDocuments(self if path not in self._models else OpenFiles())
+        return OpenDocuments(self if path not in self._models else OpenFiles(self.hook, self.uris))
 
     def packages(self) -> Metamodels:
         """The built-in metamodels, and those of the models that are open."""
@@ -75,20 +86,13 @@ class OpenFiles:
             path: model.roots for path, model in self._models.items()
         }
 
-    def texts(self) -> dict[Path, bytes]:
-        """The texts of all files, open or read with an open one, as they would be saved.
+    def models(self) -> dict[Path, OpenModel]:
+        """The open models."""
+        return dict(self._models)
 
-        Raises:
-            ModelError: one cannot be written.
-        """
-        from robosmi.model.xmi.saved_places import still_roots, text_of
-
-        around = self.places()
-        read = {
-            path: text_of(path, still_roots(document.roots), around, path, document.schema_locations)
-            for path, (document, _) in self._read.items()
-        }
-        return read | {path: model.to_bytes() for path, model in self._models.items()}
+    def read(self) -> dict[Path, tuple[Document, str]]:
+        """The documents that were read with them, and the digests of their files."""
+        return dict(self._read)
 
     def find(self, path: Path) -> Document | None:
         """The elements of a file that is open, as they are now, or None."""
@@ -112,6 +116,7 @@ class OpenDocuments:
 
     def __init__(self, files: OpenFiles | None = None) -> None:
         self._files = files if files is not None else OpenFiles()
+        self.hook, self.uris = self._files.hook, self._files.uris
         self._found: dict[Path, Document | None] = {}
 
     def get(self, path: Path) -> Document | None:

@@ -5,6 +5,7 @@ EMF keeps both: a reference leads to the resource of its target, and a file with
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,13 +14,21 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 from urllib.parse import unquote
 
-from robosmi.model.elements.ecore import EObject
+from robosmi import inputs
+from robosmi.errors import ModelError
+from robosmi.files.files import write_atomic
+from robosmi.model.ecore.metamodels import Metamodels, built_in
+from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import own_resource_of
+from robosmi.model.xmi.kept_layout import NotKept, kept
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
-from robosmi.model.xmi.xmi_writer import roots_in, to_xmi
+from robosmi.model.xmi.xmi_reader import read_alone
+from robosmi.model.xmi.xmi_writer import roots_in, text_with, to_xmi
+from robosmi.model.xmi.xml_comments import comments_lost
 
 if TYPE_CHECKING:
+    from robosmi.model.xmi.open_files import OpenFiles
     from robosmi.model.xmi.xmi_layout import Root
     from robosmi.model.xmi.xmi_locations import Neighbour
 
@@ -48,9 +57,97 @@ def text_of(
         ModelError: it cannot be written.
     """
     models = models_around(target, roots, given, read)
-    locations = XmiLocations(models, neighbour_finder(target, models))
+    locations = XmiLocations(models, neighbour_finder(target, models), target.parent)
     places = metamodel_places(source or target, schema_locations, target)
     return to_xmi(models, [target.name], locations, schema_locations=places)[target.name]
+
+
+def texts_of(files: OpenFiles) -> dict[Path, bytes]:
+    """The texts of all files of a session, open or read with an open one, as they would be saved.
+
+    Raises:
+        ModelError: one cannot be written.
+    """
+    around, models = files.places(), files.models()
+    packages = [package for model in models.values() for package in model.packages]
+    made: dict[Path, bytes] = {}
+    for path, (document, digest) in files.read().items():
+        text = text_of(path, still_roots(document.roots), around, path, document.schema_locations)
+        made[path] = in_its_layout(text, path, digest, packages, path)
+    return made | {path: model.to_bytes() for path, model in models.items()}
+
+
+def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPackage], target: Path) -> bytes:
+    """The new text of a model in the layout of the file it was read from, if that is as it was and can be followed.
+
+    Comments, encoding, the order of attributes and what is of no metamodel's namespace stay; a change is a change of few lines.
+
+    Args:
+        text: the text that is to be saved.
+        source: the file.
+        digest: that of its bytes when it was read.
+        packages: the packages of the model.
+        target: where it is saved.
+    """
+    try:
+        original = inputs.read_bytes(source, inputs.MODEL)
+    except OSError:
+        return text
+    if original == text or hashlib.sha256(original).hexdigest() != digest or _is_nearly(original, text):
+        return text
+    known = Metamodels([*packages, *built_in().packages])
+    before = _as_written(source, original, known, target)
+    if before is None or before == original:  # the file's layout is ours
+        return text
+    now = _as_written(target, text, known, target)
+    if now is None:
+        return text
+    try:
+        made = kept(original, before, now)
+    except NotKept:
+        return text
+    return made if _as_written(target, made, known, target) == now else text
+
+
+def keep_what_is_lost(target: Path, text: bytes) -> Path | None:
+    """Keep the file that is to be overwritten beside it, as NAME.orig, if it has comments that the new text lacks.
+
+    Returns:
+        The copy, or None if nothing is lost.
+    """
+    if not target.is_file() or not comments_lost(old := inputs.read_bytes(target, inputs.MODEL), text):
+        return None
+    number = 0
+    while (copy := target.with_name(f"{target.name}.orig{number or ''}")).exists():
+        number += 1
+    write_atomic(copy, old)
+    return copy
+
+
+_LARGE = 4_000_000
+
+
+def _is_nearly(original: bytes, text: bytes) -> bool:
+    """Whether nearly all lines of a large file stay as they are, so that its layout is ours."""
+    if len(original) < _LARGE or b"<!--" in original:
+        return False
+    new = set(text.splitlines())
+    lines = original.splitlines()
+    return sum(line not in new for line in lines) * 100 < len(lines)
+
+
+def _as_written(path: Path, data: bytes, metamodels: Metamodels, target: Path) -> bytes | None:
+    """What is written for the model in a text, whatever its layout; None if it cannot be read alone."""
+    document = read_alone(path, data, metamodels)
+    if document is None:
+        return None
+    models: dict[str, list[EObject]] = {target.name: list(document.roots)}
+    try:
+        locations = XmiLocations(models, None, target.parent)
+        places = metamodel_places(path, document.schema_locations, target)
+        return text_with(target.name, models[target.name], locations, places)
+    except ModelError:
+        return None
 
 
 def models_around(

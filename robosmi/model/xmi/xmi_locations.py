@@ -11,7 +11,7 @@ import os
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import lru_cache
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 from typing import Any, TypeAlias
 from urllib.parse import quote
 
@@ -54,10 +54,14 @@ class XmiLocations:
 
     Args:
         models: file name, relative to a common folder -> roots.
+        folder: the folder that the names are relative to, for proxies.
         neighbour: finds the file of a root that is in none of these models, and adds it to them; None for none.
     """
 
-    def __init__(self, models: Mapping[str, Sequence[EObject]], neighbour: Neighbour | None = None) -> None:
+    def __init__(
+        self, models: Mapping[str, Sequence[EObject]], neighbour: Neighbour | None = None, folder: Path | None = None
+    ) -> None:
+        self.folder = folder
         self._neighbour = neighbour
         self._known: dict[int, tuple[str, str]] = {}
         self.roots: dict[int, str] = {}

@@ -22,6 +22,7 @@ from robosmi.errors import did_you_mean
 from robosmi.model.ecore.xmi_document import (
     XMI_NAMESPACES,
     Document,
+    Foreign,
     ForeignRoot,
     PackageOf,
     Problem,
@@ -71,9 +72,11 @@ class Builder:
         plans: the plans of this load.
         package_of: finds a package by its namespace.
         problem: is told line and text of every problem.
+        foreign: is told line, text and namespace of what is of a namespace that no metamodel has; a problem if None.
     """
 
-    def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem) -> None:
+    def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None) -> None:
+        self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
         self.document = Document(path)
         self.plans = plans
         self.package_of = package_of
@@ -145,19 +148,28 @@ class Builder:
         self.skip()
         return False
 
+    def known_type(self, qualified: str) -> ClassPlan | None:
+        """The plan of the class with a qualified name, or None."""
+        if qualified not in self.types:
+            prefix, _, name = qualified.strip().rpartition(":")
+            uris = self.prefixes.get(prefix)
+            eclass = class_in(self.package_of(uris[-1]) if uris else None, name)
+            self.types[qualified] = None if eclass is None else self.plans.of(eclass)
+        return self.types[qualified]
+
     def type_named(self, qualified: str) -> ClassPlan | None:
         """The plan of the class with a qualified name, or None with the problem noted."""
-        if qualified in self.types:
-            return self.types[qualified]
-        prefix, _, name = qualified.strip().rpartition(":")
-        uris = self.prefixes.get(prefix)
-        package = self.package_of(uris[-1]) if uris else None
-        eclass = class_in(package, name)
-        if eclass is None:
+        plan = self.known_type(qualified)
+        if plan is None:
+            prefix, _, name = qualified.strip().rpartition(":")
+            uris = self.prefixes.get(prefix)
+            package = self.package_of(uris[-1]) if uris else None
+            if package is None and uris:
+                said = f"'{qualified}' is no class of a metamodel known here"
+                self.foreign(self.expat.CurrentLineNumber, f"{said}: nobody has the namespace '{uris[-1]}'", uris[-1])
+                return None
             near = did_you_mean(name, class_names(package)) if package is not None else ""
             self.here(f"'{qualified}' is no class of a metamodel known here{near}")
-            return None
-        plan = self.types[qualified] = self.plans.of(eclass)
         return plan
 
     def other_attribute(self, plan: ClassPlan, entries: dict[str, FeatureEntry], name: str, text: str) -> str | None:
@@ -166,10 +178,11 @@ class Builder:
             return text
         namespace, _, local = name.rpartition("}")
         if namespace == XSI or XMI_NAMESPACES.fullmatch(namespace):
-            if local == "id" and namespace != XSI:
-                self.here(f"the id '{text}' is in the namespace {namespace}, which is not supported: use {XMI}")
-            elif local == "idref":
+            if local == "idref":
                 return f"#{text}"
+            return None
+        if namespace and self.package_of(namespace) is None:
+            self.foreign(self.expat.CurrentLineNumber, f"the attribute '{local}' is of the namespace '{namespace}'", namespace)
             return None
         near = did_you_mean(local, [n for n in entries if "}" not in n])
         self.here(f"{plan.name} has no feature '{local}'{near}")
@@ -226,8 +239,9 @@ class Builder:
         pairs[attributes.get("key")] = attributes.get("value")
         self.skip()
 
-    def external_part(self, element: DynamicEObject, entry: FeatureEntry, link: str) -> None:
+    def external_part(self, element: DynamicEObject, entry: FeatureEntry, link: str, cls: type) -> None:
         """Note a contained element that lies in another file."""
+        self.document.types[link] = cls
         if element is None or entry.kind not in (CHILD, CHILDREN):
             self.here("a root cannot lie in another file")
             return
@@ -241,7 +255,13 @@ _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0
 
 
 def parse(
-    path: Path, data: bytes, plans: Plans, package_of: PackageOf, locations: Callable[[str], None], problem: Problem
+    path: Path,
+    data: bytes,
+    plans: Plans,
+    package_of: PackageOf,
+    locations: Callable[[str], None],
+    problem: Problem,
+    foreign: Foreign | None = None,
 ) -> Document:
     """Build the elements of one file.
 
@@ -252,29 +272,36 @@ def parse(
         package_of: finds a package by its namespace.
         locations: is told the value of xsi:schemaLocation before any package is asked for.
         problem: is told line and text of every problem.
+        foreign: is told line, text and namespace of what is of a namespace that no metamodel has; a problem if None.
 
     Raises:
         Unreadable: it is no XML, or no element of it is a model's.
         ForeignRoot: its first root is an element of Ecore.
     """
     try:
-        return _Parser(path, plans, package_of, locations, problem).run(data, None)
+        return _Parser(path, plans, package_of, locations, problem, foreign).run(data, None)
     except UnknownEncoding as error:  # Python knows more of them
         declared = _DECLARED.match(data)
         try:
             text = data.decode(declared[1].decode("ascii")) if declared else ""
         except (LookupError, UnicodeDecodeError):
             raise error from None
-        return _Parser(path, plans, package_of, locations, problem).run(text.encode(), "utf-8")
+        return _Parser(path, plans, package_of, locations, problem, foreign).run(text.encode(), "utf-8")
 
 
 class _Parser(Builder):
     """The state of one pass; the two handlers that are called for every element are closures in `run`."""
 
     def __init__(
-        self, path: Path, plans: Plans, package_of: PackageOf, locations: Callable[[str], None], problem: Problem
+        self,
+        path: Path,
+        plans: Plans,
+        package_of: PackageOf,
+        locations: Callable[[str], None],
+        problem: Problem,
+        foreign: Foreign | None,
     ) -> None:
-        super().__init__(path, plans, package_of, problem)
+        super().__init__(path, plans, package_of, problem, foreign)
         self.locations = locations
         self.depth = 0  # inside an element that is skipped, or inside the text of a feature
         self.texts: list[str] = []
@@ -378,7 +405,7 @@ class _Parser(Builder):
                 else:
                     child_slots[key_of(back)] = new_slot(ReferenceValue, child, back, element)
             elif elsewhere is not None:
-                self.external_part(element, entry, elsewhere)
+                self.external_part(element, entry, elsewhere, plan.cls)
             elif kind == CHILD:
                 self.contain(element, slots, entry, child, child_slots)
             else:
@@ -412,7 +439,11 @@ class _Parser(Builder):
             if local == "Extension" and XMI_NAMESPACES.fullmatch(tag.rpartition("}")[0]):
                 self.skip()
                 return None, None
-            self.here(f"{owner} has no feature '{local}'{did_you_mean(local, [n for n in entries if '}' not in n])}")
+            namespace = tag.rpartition("}")[0]
+            if namespace and not XMI_NAMESPACES.fullmatch(namespace) and self.package_of(namespace) is None:
+                self.foreign(self.expat.CurrentLineNumber, f"'{local}' is of the namespace '{namespace}'", namespace)
+            else:
+                self.here(f"{owner} has no feature '{local}'{did_you_mean(local, [n for n in entries if '}' not in n])}")
             self.skip()
         elif entry.kind in (CHILD, CHILDREN):
             plan = self.child_plan(entry, attributes)
@@ -460,6 +491,9 @@ class _Parser(Builder):
                 return
             link = attributes.get("href") or attributes.get(f"{self.xmi}}}idref") or text.strip()
             if link:
+                named = attributes.get(f"{XSI}}}type") or attributes.get(f"{self.xmi}}}type")
+                if named is not None and (plan := self.known_type(named)) is not None:
+                    self.document.types[link] = plan.cls
                 self.document.references.append((element, entry, link, line, "href" in attributes))
             else:
                 self.problem(line, f"{owner}.{entry.feature.name} has no href")
@@ -480,6 +514,9 @@ class _Parser(Builder):
             if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
                 self.several = True
                 return None, FeatureEntry(ROOT)
+        if self.several and XMI_NAMESPACES.fullmatch(uri):  # documentation, extensions, differences
+            self.skip()
+            return None, None
         if uri == ECORE_URI:
             if not self.document.roots:
                 raise ForeignRoot
@@ -487,6 +524,10 @@ class _Parser(Builder):
             raise Unreadable(text, self.expat.CurrentLineNumber, "keep metamodels in .ecore files of their own")
         package = self.package_of(uri)
         eclass = class_in(package, name)
+        if eclass is None and package is None and self.several and self.document.roots:
+            self.foreign(self.expat.CurrentLineNumber, f"'{name}' is of the namespace '{uri}'", uri)
+            self.skip()
+            return None, None
         if eclass is None:
             raise Unreadable(
                 f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here",
@@ -521,8 +562,8 @@ class _Parser(Builder):
         """A prefix gets a namespace."""
         self.prefixes.setdefault(prefix or "", []).append(uri or "")
         self.types.clear()
-        if uri and XMI_NAMESPACES.fullmatch(uri):
-            self.xmi = uri
+        if uri and uri != XMI and XMI_NAMESPACES.fullmatch(uri):
+            self.expat.StartElementHandler = self.start = _renaming(self.start, uri)
 
     def undeclare(self, prefix: str | None) -> None:
         """A prefix loses its latest namespace."""
@@ -537,6 +578,16 @@ class _Parser(Builder):
         """Text where elements are."""
         if not text.isspace():
             self.here(f"the text '{text.strip()[:40]}' belongs to no feature")
+
+
+def _renaming(start: Callable[[str, dict[str, str]], None], uri: str) -> Callable[[str, dict[str, str]], None]:
+    """The handler for a file of another year's XMI, whose `xmi:id`, `xmi:type` and `xmi:idref` are those that EMF has."""
+    theirs = f"{uri}}}"
+
+    def renamed(name: str) -> str:
+        return f"{XMI}}}{name[len(theirs) :]}" if name.startswith(theirs) else name
+
+    return lambda tag, attributes: start(tag, {renamed(name): text for name, text in attributes.items()})
 
 
 def _restoring(start: Callable[[str, dict[str, str]], None]) -> Callable[[str, dict[str, str]], None]:

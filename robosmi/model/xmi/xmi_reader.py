@@ -1,51 +1,35 @@
-"""XMI files to models: a file and everything it refers to, as plain elements with no proxies left.
+"""XMI files to models: a file and everything it refers to; proxies stand for what is not there.
 
 The way in to the reader. Opens files, finds metamodels (also by xsi:schemaLocation), collects the problems of all files and
-reports them together. One file is `xmi_parser`'s part, references `xmi_reader`', and what a class demands is in its plan.
-
-Also: references of files that were just read: URIs to elements, both sides of opposites, parts that lie in other files.
-
-Works on documents of `xmi_parser` when all elements exist. Values go straight into pyecore's slots; where a file gives only
-one side of an opposite, the other is completed, and where its two sides contradict each other that is a problem. Opening
-files is the caller's part.
+reports them together. One file is `xmi_parser`'s part, references `xmi_linker`'s, and what a class demands is in its plan.
 """
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
-from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote
 
 from robosmi import inputs
-from robosmi.diagnostics import Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.ecore.metamodels import OWN_NAMESPACES, Metamodels, built_in
 from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Unreadable
-from robosmi.model.elements import compact_slots, ecore
+from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import (
     UNBOXED_TYPES,
-    ContainedValue,
-    ReferenceValue,
-    collection,
     collector_at_rest,
-    new_slot,
 )
-from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
-from robosmi.model.elements.features import as_package
+from robosmi.model.elements.ecore import DynamicEObject, EObject
+from robosmi.model.elements.proxies import new_proxy
 from robosmi.model.elements.pyecore_internals import (
-    add_silently,
-    contain,
-    container_of,
-    fill_silently,
     is_value,
-    key_of,
-    target_in,
 )
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
-from robosmi.model.xmi.xmi_locations import shown
+from robosmi.model.xmi.xmi_linker import XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 
 if TYPE_CHECKING:
@@ -54,6 +38,9 @@ if TYPE_CHECKING:
 
 __all__ = ["DamagedModelError", "Document", "UnreadableModelError", "read_documents", "read_models", "resolve"]
 _SHOWN = 20
+_PLATFORM = re.compile("platform:/(?:resource|plugin)/(.+)")
+BOUNDS, UNRESOLVED, FOREIGN = "RS608", "RS609", "RS610"
+UNRESOLVED_FIX = "put the file at its place, or give the session its place or a hook: Session(uris=..., resolve=...)"
 _SCHEME = re.compile("([A-Za-z][A-Za-z0-9+.-]*):")
 Problems = list[tuple[Location, str]]
 
@@ -84,6 +71,27 @@ class UnreadableModelError(SourceError):
         self.problems = problems
         more = f"; there are {len(problems)} problems:\n{_listed(problems)}" if len(problems) > 1 else ""
         super().__init__(f"{text}{more}", location=location, fix=fix)
+
+
+class Oddities:
+    """What is odd in files that were read all the same: one finding of each kind, with its first place and their number."""
+
+    def __init__(self) -> None:
+        self._kinds: dict[tuple[str, tuple[str, ...]], list[Any]] = {}
+
+    def add(self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str) -> None:
+        """Note one."""
+        known = self._kinds.setdefault((rule, kind), [0, place, text, fix])
+        known[0] += 1
+
+    def findings(self) -> list[Finding]:
+        """One of each kind, in the order in which they were met."""
+        return [
+            Finding(
+                rule, Severity.warning, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix
+            )
+            for (rule, _), (number, place, text, fix) in self._kinds.items()
+        ]
 
 
 def _listed(problems: Problems) -> str:
@@ -121,7 +129,7 @@ def read_documents(
     path: Path,
     metamodels: Metamodels,
     *,
-    bounds: bool = True,
+    strict: bool = True,
     inside: Path | None = None,
     opened: OpenDocuments | None = None,
 ) -> dict[Path, Document]:
@@ -132,7 +140,8 @@ def read_documents(
     Args:
         path: the .xmi file.
         metamodels: the metamodels the files may use; a file may name others by xsi:schemaLocation, for this read only.
-        bounds: whether an element that lacks a required value, or has more than allowed, is a problem.
+        strict: whether an element that lacks a required value or has more than allowed, and a reference that leads nowhere, are
+            problems; if not, they are findings of the first document, and proxies stand for what is not there.
         inside: the folder that no file is read outside of, after links are resolved; None for any.
         opened: files that are open: a reference to one leads to its elements; None for none.
 
@@ -145,21 +154,41 @@ def read_documents(
         DamagedModelError: a file contradicts its metamodel, or a reference leads nowhere. Both list all problems.
     """
     with collector_at_rest():
-        reader = _Reader(metamodels, inside, opened)
+        reader = _Reader(metamodels, inside, opened, strict)
         reader.open(Path(os.path.realpath(path)), None)
         reader.link()
-        if bounds:
-            reader.count()
+        reader.count()
     if reader.fatal is not None:
         raise UnreadableModelError(reader.sorted_problems(), *reader.fatal)
     if reader.problems:
         raise DamagedModelError(reader.sorted_problems(), any(each.unsupported for each in reader.documents.values()))
+    if (first := next(iter(reader.documents.values()), None)) is not None:
+        first.findings = reader.odd.findings()
     return reader.documents
 
 
+def read_alone(path: Path, data: bytes, metamodels: Metamodels) -> Document | None:
+    """The document of one text as if its file had it; what it refers to in other files stays proxies, and no file is read.
+
+    Returns:
+        None if it cannot be read, or is a metamodel.
+    """
+    with collector_at_rest():
+        reader = _Reader(metamodels, None, None, False)
+        reader.texts = {path: data}
+        document = reader.open(path, None)
+        reader.link()
+    return document if isinstance(document, Document) and reader.fatal is None and not reader.problems else None
+
+
 class _Reader:
-    def __init__(self, metamodels: Metamodels, inside: Path | None, opened: OpenDocuments | None) -> None:
+    texts: dict[Path, bytes] | None = None
+    """The only files that are read, where not all are."""
+
+    def __init__(self, metamodels: Metamodels, inside: Path | None, opened: OpenDocuments | None, strict: bool) -> None:
         self.metamodels = metamodels
+        self.strict = strict
+        self.odd = Oddities()
         self.opened = opened
         self.inside = os.path.realpath(inside) if inside is not None else None
         self.plans = Plans()
@@ -178,6 +207,9 @@ class _Reader:
 
     def give_up(self, location: Location, text: str, fix: str) -> None:
         """Note that a file cannot be read at all."""
+        if not self.strict and self.documents:  # a file beside the one that is read: proxies stand for what is in it
+            self.odd.add(UNRESOLVED, ("file", text), location, text, "check the path, or give the metamodel of that file")
+            return
         self.problems.append((location, text))
         if self.fatal is None:
             self.fatal = (text, location, fix)
@@ -200,7 +232,9 @@ class _Reader:
             )  # fmt: skip
             return None
         try:
-            data = inputs.read_bytes(path, inputs.MODEL)
+            if self.texts is not None and path not in self.texts:
+                return None
+            data = inputs.read_bytes(path, inputs.MODEL) if self.texts is None else self.texts[path]
         except OSError as error:
             self._refused.add(path)
             why = error.strerror or str(error)
@@ -215,6 +249,9 @@ class _Reader:
             document = parse(
                 path, data, self.plans, self.package, lambda text: self.locate(path, text),
                 lambda line, text: self.problems.append((Location(place, line), text)),
+                None if self.strict else lambda line, text, uri: self.odd.add(
+                    FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
+                ),
             )  # fmt: skip
         except ForeignRoot:
             return self.ecore(path, referrer or Location(place))
@@ -224,6 +261,7 @@ class _Reader:
             self.give_up(Location(place, error.line), text, fix)
             return None
         self.documents[path] = document
+        document.digest = hashlib.sha256(data).hexdigest()
         return document
 
     def _unknown(self, error: Unreadable) -> tuple[str, str]:
@@ -284,7 +322,9 @@ class _Reader:
     def link(self) -> None:
         """Resolve all references, reading further files as they are met."""
         linker = XmiLinker(
-            self.find, lambda document, line, text: self.problems.append((Location(str(document.path), line), text))
+            self.find,
+            lambda document, line, text: self.problems.append((Location(str(document.path), line), text)),
+            self.missing if not self.strict or (self.opened is not None and self.opened.hook is not None) else None,
         )
         linked = 0
         while linked < len(self.documents):
@@ -301,18 +341,51 @@ class _Reader:
         key = (document.path, uri)
         if key in self._opened:
             return self._opened[key]
-        from robosmi.model.elements import ecore
 
         location = Location(str(document.path), line)
         found = ecore.EString.ePackage if uri == ecore.nsURI else self.package(uri)
         if found is None:
-            path = self._local(document.path, uri)
+            path = self.mapped(document.path, uri) or self._local(document.path, uri)
             if path is not None:
                 found = (self.opened.get(path) if self.opened is not None else None) or self.open(path, location)
-            else:
+            elif self.strict:
                 self.problems.append((location, f"'{uri}' is no file and no known metamodel"))
+            else:
+                text = f"'{uri}' is no file and no known metamodel"
+                self.odd.add(UNRESOLVED, ("uri", uri), location, text, UNRESOLVED_FIX)
         self._opened[key] = found
         return found
+
+    def mapped(self, path: Path, uri: str) -> Path | None:
+        """The file of a URI by the session's mapping, or of `platform:/...` by the folders above the file; None for none."""
+        for start, place in sorted(self.opened.uris.items(), key=lambda pair: -len(pair[0])) if self.opened is not None else ():
+            if uri.startswith(start):
+                rest = unquote(uri[len(start) :])
+                return Path(os.path.realpath(Path(place) / rest if rest else place))
+        if (workspace := _PLATFORM.fullmatch(uri)) is not None:
+            inner = unquote(workspace[1])
+            return next((above / inner for above in path.parents if (above / inner).is_file()), None)
+        return None
+
+    def missing(
+        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, unread: bool
+    ) -> DynamicEObject | None:
+        """What stands for the target of a reference that leads nowhere: what the session's hook gives, or a proxy."""
+        if self.opened is not None and self.opened.hook is not None:
+            found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
+            if found is not None:
+                return found
+        place, name = Location(str(document.path), line), f"{type(owner).__name__}.{entry.feature.name}"
+        if self.strict:
+            if not unread:
+                self.problems.append((place, f"{name}: '{link}' leads to nothing"))
+            return None
+        kind = link.partition("#")[0] if "#" in link else ""
+        if not unread:  # why its file was not read is told already
+            self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX)
+        cls = document.types.get(link) or entry.declared.python_class
+        proxy: DynamicEObject = new_proxy(cls, link, document.path.parent)
+        return proxy
 
     def count(self) -> None:
         """Hold the elements against the bounds of their features."""
@@ -326,254 +399,14 @@ class _Reader:
                     if number < lower:
                         wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
                         text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"
-                        self.problems.append((Location(place, line), text))
+                        self.out_of_bounds(Location(place, line), (plan.name, name, "few"), text)
                     elif 1 < upper < number:
-                        self.problems.append((Location(place, line), f"{plan.name}.{name} takes {upper} values, not {number}"))
+                        text = f"{plan.name}.{name} takes {upper} values, not {number}"
+                        self.out_of_bounds(Location(place, line), (plan.name, name, "many"), text)
 
-
-Problem = Callable[[Document, int, str], None]
-Where: TypeAlias = "Document | Package"
-Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
-"""Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
-
-_KEYS = re.compile(r"@([^\[]+)\[(.*)\]")
-_KEY = re.compile(r"([^=,]+)='([^']*)'")
-_TYPE = re.compile(r"[^\s:#/]+:[^\s:#/]+")
-
-
-class XmiLinker:
-    """Resolves what the documents of one load refer to.
-
-    Args:
-        open_file: finds the document or package that a URI's file part names.
-        problem: is told document, line and text of every problem.
-    """
-
-    def __init__(self, open_file: Open, problem: Problem) -> None:
-        self.open_file = open_file
-        self.problem = problem
-        self._found: dict[int, dict[str, DynamicEObject]] = {}
-        self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
-
-    def link(self, document: Document) -> None:
-        """Resolve the references of a document; `finish` must follow when all documents are linked."""
-        found = self._found.setdefault(id(document), {})
-        for owner, entry, link, line, place in document.parts:
-            self._contain(document, owner, entry, link, line, place)
-        for owner, entry, text, line, whole in document.references:
-            if not entry.many:
-                target = found.get(text)
-                if target is None:
-                    links = [text] if whole else self._one(document, text)
-                    if len(links) > 1:
-                        self._wrong(document, line, owner, entry, f"takes one element, not {len(links)}")
-                    target = self.target(document, links[0], line, owner, entry) if links else None
-                    if target is None:
-                        continue
-                if not entry.takes(target.__class__):
-                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
-                    continue
-                self._set(document, line, owner, entry, target)
-                continue
-            targets: list[EObject] = []
-            for link in [text] if whole else self._several(document, text):
-                target = found.get(link)
-                if target is None and (target := self.target(document, link, line, owner, entry)) is None:
-                    continue
-                if not entry.takes(target.__class__):
-                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
-                else:
-                    targets.append(target)
-            self._add(document, line, owner, entry, targets)
-
-    def _wrong(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, text: str) -> None:
-        self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name} {text}")
-
-    def _one(self, document: Document, text: str) -> list[str]:
-        """The URI of a single reference: an id may hold spaces, a type may stand before a URI of another file."""
-        if text in document.ids:
-            return [text]
-        return _without_types(text.split())
-
-    def _several(self, document: Document, text: str) -> list[str]:
-        parts = text.split()
-        return parts if ":" not in text else [p for p in parts if p in document.ids or not _TYPE.fullmatch(p)]
-
-    # --- URIs
-
-    def target(self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry) -> DynamicEObject | None:
-        """The element that a URI leads to, or None with the problem noted."""
-        found: DynamicEObject | None = None
-        if link in document.ids:
-            found = document.ids[link]
-        elif "#" in link and not link.startswith("#"):
-            file, _, fragment = link.partition("#")
-            where = self.open_file(document, file, line)
-            if where is None:
-                return None
-            found = resolve(where, fragment)
+    def out_of_bounds(self, place: Location, kind: tuple[str, ...], text: str) -> None:
+        """Note that an element has too few or too many values."""
+        if self.strict:
+            self.problems.append((place, text))
         else:
-            found = resolve(document, link.removeprefix("#"))
-        if found is None:
-            self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
-        elif "#" not in link:
-            self._found[id(document)][link] = found
-        return found
-
-    # --- values
-
-    def _set(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, target: EObject) -> None:
-        slots = owner.__dict__
-        slot = slots.get(entry.key)
-        if slot is not None and target_in(slot) is not None and target_in(slot) is not target:
-            self._wrong(document, line, owner, entry, "takes one element, not two")
-            return
-        slots[entry.key] = new_slot(ReferenceValue, owner, entry.feature, target)
-        if entry.back is None:
-            compact_slots.note_link(target, (owner, entry.feature))
-        else:
-            self._two_sided.append((document, line, owner, entry, [target]))
-
-    def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[EObject]) -> None:
-        slots = owner.__dict__
-        many = slots.get(entry.key)
-        if many is None:
-            many = slots[entry.key] = collection(owner, entry.feature)
-        for target in targets:
-            if add_silently(many, target) and entry.back is None:
-                compact_slots.note_link(target, (owner, entry.feature))
-        if entry.back is not None:
-            self._two_sided.append((document, line, owner, entry, targets))
-
-    def finish(self) -> None:
-        """Make both sides of all opposites agree."""
-        for document, line, owner, entry, targets in self._two_sided:
-            back = entry.back
-            if back is None:
-                continue
-            key = key_of(back)
-            for target in targets:
-                slot = target.__dict__.get(key)
-                if back.many:
-                    if slot is None:
-                        slot = target.__dict__[key] = collection(target, back)
-                    add_silently(slot, owner)
-                elif slot is None or target_in(slot) is None:
-                    target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
-                elif target_in(slot) is not owner:
-                    other = shown(target_in(slot))
-                    self._wrong(
-                        document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
-                    )
-
-    def _contain(self, document: Document, owner: EObject, entry: FeatureEntry, link: str, line: int, place: int) -> None:
-        """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
-        part = self.target(document, link, line, owner, entry)
-        if part is None:
-            return
-        if not entry.takes(part.__class__):
-            self._wrong(document, line, owner, entry, f"does not take {shown(part)}")
-            return
-        container: EObject | None = owner
-        while container is not None:
-            if container is part:
-                self._wrong(document, line, owner, entry, f"would make {shown(part)} contain itself")
-                return
-            container = container_of(container)
-        if container_of(part) is not None:
-            self._wrong(document, line, owner, entry, f"takes {shown(part)}, which is contained elsewhere already")
-            return
-        slots = owner.__dict__
-        if not entry.many:
-            if entry.key in slots:
-                self._wrong(document, line, owner, entry, "takes one element, not two")
-                return
-            slots[entry.key] = new_slot(ContainedValue, owner, entry.feature, part)
-        else:
-            if entry.key not in slots:
-                slots[entry.key] = collection(owner, entry.feature)
-            add_silently(slots[entry.key], part)
-            _move(slots[entry.key], place)
-        contain(part, owner, entry.feature)
-        if entry.back is None:
-            compact_slots.note_link(part, (owner, entry.feature))
-        else:
-            part.__dict__[key_of(entry.back)] = new_slot(ReferenceValue, part, entry.back, owner)
-
-
-def _move(many: Any, place: int) -> None:
-    """Move the last value of a collection to its index."""
-    items = list(many)
-    items.insert(place, items.pop())
-    fill_silently(many, items)
-
-
-def _without_types(parts: list[str]) -> list[str]:
-    return [part for part in parts if not _TYPE.fullmatch(part)] if len(parts) > 1 else parts
-
-
-# --- fragments
-
-
-def resolve(where: Where | EObject, fragment: str) -> Any:
-    """The element at an EMF fragment of a document, a package or a model with one root, or None.
-
-    Fragments are ids (`_x1`), paths (`//@units.0/@body`, `/1/@units.0`) or, in metamodels, names (`//Class/feature`).
-    """
-    if isinstance(where, Document):
-        if fragment in where.ids:
-            return where.ids[fragment]
-        if not fragment.startswith("/"):
-            return where.ids.get(unquote(fragment))
-        roots: Sequence[EObject] = where.roots
-    else:
-        roots = [where if isinstance(where, ecore.EObject) else as_package(where)]
-    first, *steps = fragment[1:].split("/")
-    if first.startswith("?") and isinstance(where, Document):
-        element: EObject | None = where.ids.get(first[1:])
-    elif first and not (first.isascii() and first.isdecimal()):
-        return None
-    else:
-        index = int(first or 0)
-        element = roots[index] if index < len(roots) else None
-    for step in steps:
-        if element is None:
-            return None
-        element = _step(element, step)
-    return element
-
-
-def _step(element: EObject, step: str) -> EObject | None:
-    if step[:1] != "@":
-        return _by_name(element, step) if isinstance(element, ecore.EModelElement) else None
-    name, _, index = step[1:].partition(".")
-    slot = element.__dict__.get(name)
-    if slot is not None and not isinstance(slot, compact_slots.AttributeValue) and index.isascii() and index.isdecimal():
-        try:
-            items = slot if isinstance(slot, list) else slot.items
-            found: DynamicEObject = items[int(index)]
-            return found
-        except (AttributeError, IndexError):
-            return None
-    if slot is None and (keys := _KEYS.fullmatch(step)):
-        return _by_keys(element, keys[1], {key[1]: key[2] for key in _KEY.finditer(keys[2])})
-    value = target_in(slot) if not index and is_value(slot) else None
-    return value if isinstance(value, ecore.EObject) else None
-
-
-def _by_keys(element: EObject, name: str, wanted: dict[str, str]) -> DynamicEObject | None:
-    """The element of a collection whose key attributes have these texts (`@items[name='a']`)."""
-    one: DynamicEObject
-    for one in element.__dict__.get(name, ()):
-        if wanted and all(str(getattr(one, key, None)) == unquote(text) for key, text in wanted.items()):
-            return one
-    return None
-
-
-def _by_name(element: EObject, name: str) -> EObject | None:
-    """The part of a metamodel element with that name."""
-    parts: list[ENamedElement] = []
-    for feature in ("eClassifiers", "eSubpackages", "eStructuralFeatures", "eOperations", "eLiterals", "eParameters"):
-        parts.extend(getattr(element, feature, ()))
-    texts = (name, unquote(name))
-    return next((part for part in parts if part.name in texts), None)
+            self.odd.add(BOUNDS, kind, place, text, "correct the model, or the bounds in its metamodel")

@@ -17,6 +17,7 @@ from robosmi.model.elements.compact_slots import UNBOXED_TYPES, collector_at_res
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import as_package
+from robosmi.model.elements.proxies import is_local, proxy_uri, uri_from
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
@@ -53,7 +54,12 @@ def to_xmi(
     roots = {name: roots_in(given) for name, given in models.items()}
     with collector_at_rest():
         found, names = places or XmiLocations(roots), models if wanted is None else wanted
-        return {name: _Writer(name, roots[name], found, schema_locations or {}).write() for name in names}
+        return {name: text_with(name, roots[name], found, schema_locations or {}) for name in names}
+
+
+def text_with(name: str, roots: list[EObject], places: XmiLocations, schema_locations: Mapping[str, str]) -> bytes:
+    """The text of one file; see `to_xmi`."""
+    return _Writer(name, roots, places, schema_locations).write()
 
 
 def roots_in(given: Root) -> list[EObject]:
@@ -367,6 +373,10 @@ class _Writer:
         known = self.found.get(id(target))
         if known is not None:
             return known
+        if proxy_uri(target) is not None:
+            known = (self.name if is_local(target) else "", uri_from(target, self.places.folder))
+            self.found[id(target)] = known
+            return known
         try:
             known = self.found[id(target)] = self.places.find(target)
         except UnusableId as error:
@@ -381,7 +391,7 @@ class _Writer:
     def href(self, element: EObject, column: Column, target: EObject, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
-        if column.names_types:
+        if column.names_types or proxy_uri(target) is not None:
             eclass = target.eClass if isinstance(target, ecore.EObject) else target.__class__.eClass
             if eclass is not column.declared:
                 self.uses_xsi = True
@@ -400,6 +410,8 @@ class _Writer:
     def child(self, element: EObject, column: Column, child: EObject, indent: str, later: list[Piece] | None) -> list[Piece]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""
         child = real(child)
+        if proxy_uri(child) is not None:
+            return self.more(later, self.href(element, column, child, indent))
         if container_of(child) is not element:
             what = f"contains {shown(child)}, whose container is {shown(container_of(child))}"
             raise self.problem(element, column, what, "put the element into one container")

@@ -1,0 +1,66 @@
+"""Metamodels by folder and pattern, types by completion, and messages for files that are no models."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from robosmi.chain import read_chain
+from robosmi.errors import RobosmiError, SourceError
+from robosmi.model import Metamodel, Session, open_model
+from robosmi.query import ModelView
+from tests.running import run
+
+SPLIT = Path(__file__).parent / "split"
+TWO = '<e:EPackage xmlns:e="http://www.eclipse.org/emf/2002/Ecore" name="two" nsURI="http://example.org/two" nsPrefix="two"/>'
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder of two metamodels, one of which was copied by a build."""
+    for name in ("models", "models/target"):
+        (tmp_path / name).mkdir()
+        shutil.copy(SPLIT / "g.ecore", tmp_path / name)
+    (tmp_path / "models" / "two.ecore").write_text(TWO)
+    shutil.copy(SPLIT / "ok.xmi", tmp_path)
+    return tmp_path
+
+
+def test_metamodels_are_given_as_folders_and_patterns(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for given in (folder / "models", folder / "models" / "*.ecore", folder / "**" / "*.ecore"):
+        assert [str(p.name) for p in Metamodel.load(given).epackages] == ["g", "two"]
+        assert len(Session().open_model(folder / "ok.xmi", metamodel=given).Node.all) == 2
+        done = run("query", folder / "ok.xmi", "Node.all.size()", "--metamodel", given, "--json")
+        assert done.result == {"value": 2}
+    with pytest.raises(SourceError, match=r"no \.ecore file"):
+        Metamodel.load(folder / "*.xyz")
+    (folder / "models" / "clash.ecore").write_text((SPLIT / "g.ecore").read_text().replace("weight", "cost"))
+    with pytest.raises(RobosmiError, match="has the namespace"):
+        Metamodel.load(folder / "models")
+
+
+def test_a_chain_takes_a_pattern(folder: Path) -> None:
+    (folder / "c.toml").write_text('[[step]]\nload = "a"\nfile = "ok.xmi"\nmetamodel = "models/*.ecore"\n')
+    assert [step.state for step in read_chain(folder / "c.toml").run().steps] == ["done"]
+
+
+def test_types_are_listed_for_completion() -> None:
+    model = open_model(SPLIT / "ok.xmi", metamodel=SPLIT / "g.ecore")
+    for one in (model, ModelView(model), Metamodel.load(SPLIT / "g.ecore")):
+        assert {"Node", "Edge", "Group"} <= set(dir(one))
+
+
+@pytest.mark.parametrize("name", ["a.etl", "a.evl", "a.emf", "a.flexmi", "a.json"])
+def test_files_that_are_no_models_are_called_what_they_are(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text("{}")
+    said = {"etl": "Epsilon script", "evl": "Epsilon script", "emf": "Emfatic", "flexmi": "Flexmi", "json": "JSON"}[name[2:]]
+    with pytest.raises(SourceError, match=said):
+        open_model(tmp_path / name)
+    if name == "a.etl":
+        with pytest.raises(SourceError, match="Epsilon script"):
+            read_chain(tmp_path / name)
+    if name == "a.emf":
+        with pytest.raises(SourceError, match="Emfatic"):
+            Metamodel.load(tmp_path / name)

@@ -1,0 +1,129 @@
+"""Reading and validating are two things: bounds and references that lead nowhere are findings, and proxies stay when saved."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robosmi.errors import ModelError, SourceError
+from robosmi.model import EmfModel, Session, open_model
+from robosmi.model.elements.proxies import proxy_uri
+from tests.emf_judge import look
+from tests.recording.written_models import FOLDER
+from tests.running import run
+
+SPLIT = Path(__file__).parent / "split"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder of models; what is written there is not judged by itself, for EMF says rightly what is unresolved."""
+    monkeypatch.delenv(FOLDER, raising=False)
+    shutil.copytree(SPLIT, tmp_path, dirs_exist_ok=True)
+    return tmp_path
+
+
+def opened(folder: Path, name: str, **options: Any) -> Any:
+    return open_model(folder / name, metamodel=folder / "g.ecore", **options)
+
+
+def rules(model: EmfModel) -> list[tuple[str, int | None]]:
+    return [(finding.rule, finding.location.line if finding.location else None) for finding in model.findings]
+
+
+def test_missing_values_are_findings_of_one_kind_each(folder: Path) -> None:
+    text = (folder / "g.ecore").read_text().replace('name="weight"', 'name="weight" lowerBound="1"')
+    (folder / "g.ecore").write_text(text.replace('name="name"', 'name="name" lowerBound="1"'))
+    (folder / "ok.xmi").write_text((folder / "ok.xmi").read_text().replace(' name="n1"', "").replace(' name="n2"', ""))
+    model = opened(folder, "ok.xmi")
+    assert rules(model) == [("RS608", 4)]
+    assert "1 more" in model.findings[0].message
+    for options in ({"strict": True}, {"lenient": False}):
+        with pytest.raises(ModelError, match="Node has no 'name'"):
+            opened(folder, "ok.xmi", **options)
+
+
+def test_a_missing_neighbour_leaves_proxies_that_are_saved(folder: Path) -> None:
+    (folder / "ok.xmi").unlink()
+    before = (folder / "w.xmi").read_bytes()
+    model = opened(folder, "w.xmi")
+    (edge,) = model.Edge.all
+    assert proxy_uri(edge.source) == "ok.xmi#//@groups.0/@nodes.1"
+    assert (edge.source.name, isinstance(edge.source, model.Node), model.Node.all) == (None, True, [])
+    assert rules(model) == [("RS609", 4)]
+    edge.name = "renamed"
+    model.save()
+    assert (folder / "w.xmi").read_bytes() == before.replace(b'"x"', b'"renamed"')
+    (folder / "sub").mkdir()
+    model.save(folder / "sub" / "w.xmi")
+    shutil.copy(SPLIT / "ok.xmi", folder)
+    assert opened(folder, "sub/w.xmi").Edge.all[0].source.name == "n2"
+    (folder / "v.xmi").write_bytes(before.replace(b"ok.xmi", b"no.xmi"))
+    with pytest.raises(SourceError, match=r"no\.xmi"):
+        opened(folder, "v.xmi", strict=True)
+
+
+def test_a_missing_part_is_a_proxy_and_no_empty_element(folder: Path) -> None:
+    (folder / "q.xmi").unlink()
+    model = opened(folder, "p.xmi")
+    model.roots[0].groups.append(model.Group(name="second"))
+    model.save()
+    assert b'<groups href="q.xmi#/"/>\n  <groups name="second"/>' in (folder / "p.xmi").read_bytes()
+    assert "q.xmi" in look([folder / "g.ecore"], folder / "p.xmi").text
+
+
+def test_foreign_fragments_stay_and_a_hook_resolves_them(folder: Path) -> None:
+    foreign = (folder / "ok.xmi").read_text().replace("//@groups.0/@nodes.0", "n1?type=Node")
+    (folder / "ok.xmi").write_text(foreign)
+    model = opened(folder, "ok.xmi")
+    assert (proxy_uri(model.Edge.all[0].source), rules(model)) == ("n1?type=Node", [("RS609", 6)])
+    model.save(folder / "copy.xmi")
+    assert (folder / "copy.xmi").read_text() == foreign
+    asked = []
+
+    def by_name(uri: str, file: Path, roots: list[Any]) -> Any:
+        asked.append((uri, file.name))
+        return next((node for node in roots[0].groups[0].nodes if node.name == uri.partition("?")[0]), None)
+
+    model = Session(resolve=by_name).open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
+    assert (model.Edge.all[0].source.name, rules(model), asked) == ("n1", [], [("n1?type=Node", "ok.xmi")])
+    assert list(model.Node.all[0].out) == model.Edge.all
+
+
+@pytest.mark.parametrize("uri", ["pathmap://LIB/", "platform:/plugin/org.lib/", "http://example.org/models/"])
+def test_uris_are_mapped_to_files(folder: Path, uri: str) -> None:
+    (folder / "w.xmi").write_text((folder / "w.xmi").read_text().replace("ok.xmi", f"{uri}ok.xmi"))
+    assert rules(opened(folder, "w.xmi")) == [("RS609", 4)]
+    model = Session(uris={uri: folder}).open_model(folder / "w.xmi", metamodel=folder / "g.ecore")
+    assert (model.Edge.all[0].source.name, rules(model)) == ("n2", [])
+
+
+def test_a_place_in_a_workspace_is_found_above_the_file(folder: Path) -> None:
+    (folder / "org.lib").mkdir()
+    (folder / "ok.xmi").rename(folder / "org.lib" / "ok.xmi")
+    (folder / "w.xmi").write_text((folder / "w.xmi").read_text().replace("ok.xmi", "platform:/resource/org.lib/ok.xmi"))
+    assert opened(folder, "w.xmi").Edge.all[0].source.name == "n2"
+
+
+def test_a_reference_to_a_proxy_may_be_set_and_deleted(folder: Path) -> None:
+    (folder / "ok.xmi").unlink()
+    model = opened(folder, "w.xmi")
+    edge = model.Edge.all[0]
+    other = model.Edge(name="y", target=edge.source)
+    model.Group.all[0].edges.append(other)
+    model.save()
+    assert (folder / "w.xmi").read_text().count('href="ok.xmi#//@groups.0/@nodes.1"') == 2
+    edge.source = None
+    model.save()
+    assert (folder / "w.xmi").read_text().count('href="ok.xmi#//@groups.0/@nodes.1"') == 1
+
+
+def test_check_and_query_say_what_is_odd(folder: Path) -> None:
+    (folder / "ok.xmi").unlink()
+    args = [str(folder / "w.xmi"), "--metamodel", str(folder / "g.ecore")]
+    for command in (["check", *args], ["query", args[0], "Edge.all.name", *args[1:]]):
+        done = run(*command, "--json").document
+        assert [finding["rule"] for finding in done["findings"]] == ["RS609"], done
