@@ -16,7 +16,6 @@ from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, features_fixed, new_slot, note_link
 from robosmi.model.elements.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
 from robosmi.model.elements.feature_errors import unknown_feature
-from robosmi.model.elements.features import all_features, is_computed
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,
     CONTAINING_FEATURE,
@@ -25,7 +24,6 @@ from robosmi.model.elements.pyecore_internals import (
     container_of,
     key_of,
     own_resource_of,
-    read,
 )
 from robosmi.model.elements.structure import disconnect
 
@@ -93,16 +91,6 @@ def initialise(element: EObject, features: dict[str, Any]) -> None:
         raise
     if SET_FEATURES in slots:  # else it is read off the slots when somebody asks
         slots[SET_FEATURES].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
-
-
-def disconnect(made: Any) -> None:
-    """Take an element that could not be made out of its container and out of all references."""
-    for feature in all_features(made.eClass):
-        slot = made.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
-        if slot is not None and feature.many:
-            read(slot).clear()
-        elif slot is not None and read(slot) is not None:
-            setattr(made, key_of(feature), None)
 
 
 def connect(element: EObject, name: str, value: Any) -> None:

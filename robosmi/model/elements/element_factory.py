@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.elements import ecore
-from robosmi.model.elements.construct import disconnect
 from robosmi.model.elements.driver import Kind, TypeHandle, class_of
 from robosmi.model.elements.ecore import DynamicEObject, EEnum, EObject, EStructuralFeature
 from robosmi.model.elements.feature_errors import not_named
