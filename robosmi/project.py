@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -60,6 +60,7 @@ class Project(Struct, frozen=True):
         servos: component, or role of a port -> what was measured of its servo.
         severity: rule -> level.
         accept: accepted findings.
+        console_wait_ms: the longest that a program waits for its console, in milliseconds; None for the target's own.
         text: what the file holds.
     """
 
@@ -73,6 +74,7 @@ class Project(Struct, frozen=True):
     servos: dict[str, ServoTrim] = {}
     severity: dict[str, str] = {}
     accept: tuple[Accepted, ...] = ()
+    console_wait_ms: int | None = None
     text: str = ""
 
     def places(self, table: str, keys: Iterable[str]) -> dict[str, Location]:
@@ -89,7 +91,8 @@ POINTS = 64
 """Limit on the measured points of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
 """The shortest and longest pulse width for servos, in microseconds."""
-_MIGRATE = ("hardware", "target", "source_platform")
+_MIGRATE = ("hardware", "target", "source_platform", "console_wait_ms")
+LONGEST_WAIT_MS = 600_000
 
 
 def project_of(first: Path) -> Project:
@@ -152,6 +155,7 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         hardware=_path_in(folder, migrate["hardware"]) if "hardware" in migrate else None,
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
+        console_wait_ms=_wait(path, migrate, text),
         libraries=_table(path, data, "libraries", text),
         bind=_bind(path, data, text),
         roles=_table(path, data, "roles", text),
@@ -159,6 +163,17 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         severity=severity,
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
         text=text,
+    )
+
+
+def _wait(path: Path, migrate: Mapping[str, str], text: str) -> int | None:
+    said = migrate.get("console_wait_ms")
+    if said is None or (said.isdecimal() and int(said) <= LONGEST_WAIT_MS):
+        return None if said is None else int(said)
+    raise SourceError(
+        f"[migrate] console_wait_ms = '{said}' is no time",
+        location=Location(str(path), _lines_of("migrate", text).get("console_wait_ms")),
+        fix=f'write whole milliseconds from "0" (no wait) to "{LONGEST_WAIT_MS}"',
     )
 
 
