@@ -83,6 +83,7 @@ _CONTENT = {
     ("device", "shifted_bits"): "verification.devices.shifted_bits:ShiftedBits",
     ("device", "sony_remote"): "verification.devices.infrared:SonyRemote",
     ("device", "two_pin_ranger"): "verification.devices.ranger:TwoPinRanger",
+    ("device", "stored_bytes"): "verification.devices.two_wire:StoredBytes",
     ("device", "typing"): "verification.devices.levels:Typing",
     ("device", "voltages"): "verification.devices.levels:Voltages",
     ("device", "wheel"): "verification.devices.wheel:Wheel",

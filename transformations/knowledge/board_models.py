@@ -52,7 +52,7 @@ _BOARD_KEYS = (
 _DRAWN_KEYS = {
     "drawn_as": ("tool", "modules", "connectors"),
     "drawn_chips": ("chips", "least_pins", "most_pins"),
-    "drawn_symbols": ("called",),
+    "drawn_symbols": ("called", "not"),
 }
 _BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
 _MAPPING_KEYS = (

@@ -1,4 +1,4 @@
-"""`main` as the target's `setup` and `loop` (paper 4, RQ1: what is outside the endless loop runs once, its body is repeated).
+"""`main` as the target's `setup` and `loop` (paper 5.3, RQ1: what is outside the endless loop runs once, its body is repeated).
 
 The plan's dispositions say how main is divided: the loop with the rule `main-loop` becomes `loop`, and hoisted locals are put
 above. Without such a loop the whole body stays in `setup`. Comments between the parts stay with the part that follows, those
