@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -61,6 +61,7 @@ class Project(Struct, frozen=True):
         servos: component, or role of a port -> what was measured of its servo.
         severity: rule -> level.
         accept: accepted findings.
+        console_wait_ms: the longest that a program waits for its console, in milliseconds; None for the target's own.
         text: what the file holds.
     """
 
@@ -75,6 +76,7 @@ class Project(Struct, frozen=True):
     servos: dict[str, ServoTrim] = {}
     severity: dict[str, str] = {}
     accept: tuple[Accepted, ...] = ()
+    console_wait_ms: int | None = None
     text: str = ""
 
     def places(self, table: str, keys: Iterable[str]) -> dict[str, Location]:
@@ -91,7 +93,9 @@ POINTS = 64
 """Limit on the measured points of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
 """The shortest and longest pulse width for servos, in microseconds."""
-_MIGRATE = ("hardware", "target", "source_platform")
+LONGEST_WAIT_MS = 600_000
+"""Limit on the wait for a console."""
+_MIGRATE = ("hardware", "target", "source_platform", "console_wait_ms")
 _RANK = ("ranker",)
 
 
@@ -157,6 +161,7 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         hardware=_path_in(folder, migrate["hardware"]) if "hardware" in migrate else None,
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
+        console_wait_ms=_wait(path, migrate, text),
         ranker=rank.get("ranker"),
         libraries=_table(path, data, "libraries", text),
         bind=_bind(path, data, text),
@@ -165,6 +170,17 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         severity=severity,
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
         text=text,
+    )
+
+
+def _wait(path: Path, migrate: Mapping[str, str], text: str) -> int | None:
+    said = migrate.get("console_wait_ms")
+    if said is None or (said.isdecimal() and int(said) <= LONGEST_WAIT_MS):
+        return None if said is None else int(said)
+    raise SourceError(
+        f"[migrate] console_wait_ms = '{said}' is no time",
+        location=Location(str(path), _lines_of("migrate", text).get("console_wait_ms")),
+        fix=f'write whole milliseconds from "0" (no wait) to "{LONGEST_WAIT_MS}"',
     )
 
 

@@ -20,8 +20,10 @@ def moved(target: str, pin: str, folder: Path) -> Path:
     """The sketch of a program that drives a relay, which most modules switch on at a low level."""
     (folder / "pump.c").write_text(PROGRAM)
     (folder / "wiring.csv").write_text(f"pin,part,title\n{pin},Relay Module 5V,pump\n")
-    options = {"hardware": folder / "wiring.csv", "bind": {"P5": pin}, "bench": True}
-    return robosmi.migrate([folder / "pump.c"], folder / "out", target=target, **options).sketch
+    made = robosmi.migrate(
+        [folder / "pump.c"], folder / "out", target=target, hardware=folder / "wiring.csv", bind={"P5": pin}, bench=True
+    )
+    return made.sketch
 
 
 @pytest.mark.parametrize(("target", "pin", "times"), [("uno", "D5", 1), ("pico", "GP5", 2), ("esp32", "IO5", 2)])

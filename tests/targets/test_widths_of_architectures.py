@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from robosmi.errors import PlatformDataError
+from robosmi.errors import PlatformDataError, SourceError
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.queries.numbers import Machine
 
@@ -57,6 +57,26 @@ def test_a_program_for_the_pico_waits_for_the_console_for_some_time_only(tmp_pat
     lines = [line.strip() for line in sketch("pico", tmp_path).splitlines()]
     assert lines[lines.index("Serial.begin(115200);") + 1] == "while (!Serial && millis() < 3000) {}"
     assert "while (!Serial" not in sketch("uno", tmp_path)
+
+
+@pytest.mark.parametrize(("said", "waits"), [("500", "while (!Serial && millis() < 500) {}"), ("0", "")])
+def test_the_project_file_says_how_long_it_waits(said: str, waits: str, tmp_path: Path) -> None:
+    (tmp_path / "robosmi.toml").write_text(f'[migrate]\nconsole_wait_ms = "{said}"\n')
+    text = sketch("pico", tmp_path)
+    assert ("while (!Serial" in text) == bool(waits)
+    assert waits in text
+    again = robosmi.generate_sketch(tmp_path / "pico" / "models" / "plan.xmi", tmp_path / "again")
+    assert text.encode() in again.contents.values()
+
+
+@pytest.mark.parametrize("said", ["-1", "soon", "600001", "1.5"])
+def test_a_time_that_is_none_is_an_error_with_its_line(said: str, tmp_path: Path) -> None:
+    (tmp_path / "robosmi.toml").write_text(f'[migrate]\nconsole_wait_ms = "{said}"\n')
+    with pytest.raises(SourceError, match="is no time") as caught:
+        sketch("pico", tmp_path)
+    assert caught.value.location is not None
+    assert caught.value.location.line == 2
+    assert not (tmp_path / "pico").exists()
 
 
 def test_a_program_for_an_uno_has_the_widths_of_the_source(tmp_path: Path) -> None:

@@ -47,6 +47,7 @@ from robosmi.transformations.knowledge.adapters.adapter_pins import AdapterPins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
+from robosmi.transformations.m2m.adapters.console_wait import set_console_wait
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
 from robosmi.transformations.m2m.circuits.connector_mapping import rename_clashes
@@ -57,6 +58,7 @@ from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.ports.port_texts import looked_up
 from robosmi.transformations.m2m.widths.widths import Widened, lost_findings, text_findings
 from robosmi.transformations.queries.plans.plan import binding_json, library_json
+from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.record_members import outside_members
 
@@ -259,6 +261,7 @@ def models(
     )  # fmt: skip
     plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
     plan.bench = bench
+    set_console_wait(emitted(plan), settings.console_wait_ms)
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": settings.bind, "libraries": settings.libraries}
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))

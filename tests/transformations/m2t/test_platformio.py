@@ -18,10 +18,17 @@ NAMES = {
     "lilypad": "lilypadatmega328", "lilypadusb": "LilyPadUSB", "mega": "megaatmega2560", "megaadk": "megaADK", "micro": "micro",
     "mini": "miniatmega328", "nano": "nanoatmega328new", "pro8mhz": "pro8MHzatmega328", "promini": "pro16MHzatmega328",
     "uno": "uno", "yun": "yun", "pico": "pico", "picow": "rpipicow",
+    "nano-rp2040": "arduino_nano_connect", "uno-r4-minima": "uno_r4_minima", "teensy40": "teensy40",
+    "nucleo-f401re": "nucleo_f401re", "nano33ble": "nano33ble", "zero": "zero",
+    "esp32": "esp32dev", "esp32c3": "esp32-c3-devkitm-1",
 }  # fmt: skip
 """As PlatformIO's package `atmelavr` calls its definitions of boards (`boards/NAME.json`), each with the microcontroller, clock,
-variant and protocol of ours; the last two as its platform for the RP2040 does."""
-OTHER_PLATFORMS = {"rp2040": ("https://github.com/maxgerhardt/platform-raspberrypi.git", {"board_build.core": "earlephilhower"})}
+variant and protocol of ours; those of other processors as their platforms do."""
+OTHER_PLATFORMS: dict[str, tuple[str, dict[str, str]]] = {
+    "rp2040": ("https://github.com/maxgerhardt/platform-raspberrypi.git", {"board_build.core": "earlephilhower"}),
+    "ra4m1": ("renesas-ra", {}), "imxrt1062": ("teensy", {}), "stm32f401re": ("ststm32", {}), "nrf52840": ("nordicnrf52", {}),
+    "samd21g18a": ("atmelsam", {}), "esp32": ("espressif32", {}), "esp32c3": ("espressif32", {}),
+}  # fmt: skip
 """Microcontroller -> the platform that has Arduino's core of our data, and what it has to be told."""
 
 
@@ -48,7 +55,7 @@ def test_the_file_of_a_board(board: str, tmp_path: Path) -> None:
     fqbn = next(each.full_names[0] for each in load_boards("arduino") if each.name == board)
     text = (tmp_path / "out" / "idle" / "sketch.yaml").read_text()
     assert f"fqbn: {fqbn}\n" in text
-    assert ("platform_index_url: https://" in text) == bool(more)
+    assert ("platform_index_url: https://" in text) == (not fqbn.startswith("arduino:"))
 
 
 @pytest.mark.parametrize("example", ["line_follower", "environmental_monitoring"])

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.errors import MissingToolError
-from robosmi.transformations.knowledge.compile_boards import boards_to_compile_for
 from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, find_core, how_to_install
 from robosmi.transformations.knowledge.cores.core_recipes import CoreRecipes
-from robosmi.verify.toolchains.boards import Board
+from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 
@@ -65,4 +64,4 @@ def _first_installed(names: Sequence[BoardName]) -> tuple[BoardName, ArduinoCore
 
 def _has_data(name: BoardName, toolchain: Toolchain) -> bool:
     plain = str(name._replace(options=()))
-    return any(plain in board.full_names for board in boards_to_compile_for(toolchain.platform))
+    return any(plain in board.full_names for board in load_boards(toolchain.platform))

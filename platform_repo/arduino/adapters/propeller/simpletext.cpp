@@ -127,8 +127,9 @@ typedef text_t terminal;
 //# helper console
 //#   needs: text_t
 //#   setup: Serial.begin(115200);
-//#   setup rp2040: while (!Serial && millis() < 3000) {}
-//#   limit rp2040: what is printed before a computer opens the console would be lost: the program waits for that, 3 s at most
+//#   setup rp2040 renesas_uno teensy mbed_nano: while (!Serial && millis() < 3000) {}
+//#   limit rp2040 renesas_uno teensy mbed_nano: what is printed before a computer opens the console would be lost: the program waits for that
+//#   limit rp2040 renesas_uno teensy mbed_nano: without a computer it starts after 3 s, or after console_wait_ms of robosmi.toml
 //#   ram: 11
 static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
 
@@ -136,8 +137,9 @@ static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
 //#   members: rxChar txChar cogid devst
 //#   needs: text_t
 //#   setup: Serial.begin(115200);
-//#   setup rp2040: while (!Serial && millis() < 3000) {}
-//#   limit rp2040: what is printed before a computer opens the console would be lost: the program waits for that, 3 s at most
+//#   setup rp2040 renesas_uno teensy mbed_nano: while (!Serial && millis() < 3000) {}
+//#   limit rp2040 renesas_uno teensy mbed_nano: what is printed before a computer opens the console would be lost: the program waits for that
+//#   limit rp2040 renesas_uno teensy mbed_nano: without a computer it starts after 3 s, or after console_wait_ms of robosmi.toml
 //#   ram: 45
 static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true, 0, 0, {0}, 0};
 
