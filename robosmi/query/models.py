@@ -68,7 +68,7 @@ class ModelView(Model):
 
     @property
     def _emf(self) -> EmfModel:
-        """The model; others have types of the names that are asked of it, or raise an error."""
+        """The model; any name of a type is an attribute, and others raise an error."""
         return cast(EmfModel, self.model)
 
     def _collected(self, items: Sequence[T]) -> Q[T]:
@@ -145,9 +145,9 @@ class ModelView(Model):
 
     def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicNode:
         """A new element of this model (EOL `new T(name = "x")`, `T.createInstance()`); see `Model.create`."""
-        wanted = self.type_named(kind) if isinstance(kind, str) else kind
-        refuse_unnamed(wanted, values)
-        return self.model.create(wanted, **features)
+        resolved = self.type_named(kind) if isinstance(kind, str) else kind
+        refuse_unnamed(resolved, values)
+        return self.model.create(resolved, **features)
 
     def delete(self, element: Node) -> None:
         """Take an element with all it contains out of this model (EOL `delete`); see `Model.delete`."""
@@ -223,7 +223,7 @@ def all_instances(name: str) -> Q[DynamicNode]:
     plain = name.rpartition("!")[2]
     if len(having) > 1:
         others = ", ".join(f"{m.name}!{plain}" for m in having)
-        warnings.warn(f"the type '{name}' may be any of {others}; the first is taken", stacklevel=2)
+        warnings.warn(f"the type '{name}' may be any of {others}; the first is used", stacklevel=2)
     return Q._of(list(having[0].all_of_kind(having[0].find_type(plain) or plain)))
 
 
