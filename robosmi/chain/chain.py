@@ -117,9 +117,10 @@ class Chain:
         *,
         models: Names,
         makes: str,
-        metamodel: Paths,
+        metamodel: Paths = (),
         file: str | Path | None = None,
         trace: str | Path | None = None,
+        driver: str | None = None,
         reads: Paths = (),
         step: str = "",
     ) -> None:
@@ -132,10 +133,19 @@ class Chain:
             metamodel: its .ecore files, or "ecore" for a model that is a metamodel itself.
             file: where it is saved; without one it stays in memory, and is made anew whenever a later step needs it.
             trace: where the trace is saved as a model that refers to those of the sources and targets; these must have files.
+            driver: "xml" for a new document of plain XML, which has no metamodel.
             reads: further files it reads.
             step: the step's name; the function's if not given.
         """  # fmt: skip
-        self._add(step, "transform", function, models, makes=makes, metamodel=metamodel, file=file, trace=trace, reads=reads)
+        if driver not in (None, "emf", "xml"):
+            fix = 'use "xml" for plain XML, or leave it out and give the metamodel'
+            raise SourceError(f"no new model can be made by the driver '{driver}'", location=self.place, fix=fix)
+        if (driver == "xml") == bool(metamodel):
+            said = "plain XML has no metamodel" if metamodel else f"the model '{makes}' has no metamodel"
+            fix = "leave the metamodel out" if metamodel else 'name its .ecore files, "ecore", or driver = "xml" for plain XML'
+            raise SourceError(said, location=self.place, fix=fix)
+        options = {"metamodel": metamodel, "file": file, "trace": trace, "driver": driver, "reads": reads}
+        self._add(step, "transform", function, models, makes=makes, **options)
 
     def migrate(
         self,

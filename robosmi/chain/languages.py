@@ -194,7 +194,7 @@ def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
 
 def transform(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
     """Make a model of others, by ETL or Flock, and save it where it has a file."""
-    made = ModelView(EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes))
+    made = ModelView(_new(step, doing))
     models = {**doing.models, step.makes: made}
     module: ETL | Flock = ETL(*models.values()) if step.kind == "transform" else Flock(*list(models.values())[-2:])
     call(step, module, models)
@@ -214,6 +214,15 @@ def transform(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
             stored = {relative(path, step.trace.parent): models[name] for name, path in files.items() if path is not None}
             save_model(module.trace.to_model(), step.trace, {p: list(m.roots) for p, m in _of_emf(stored)})
     return result, made
+
+
+def _new(step: Step, doing: StepContext) -> Model:
+    """The model that a step is to fill."""
+    if step.driver == "xml":
+        from robosmi.model.plain_xml import XmlModel  # few chains make plain XML
+
+        return XmlModel.new(step.file, step.makes)
+    return EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes, step.file)
 
 
 def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:

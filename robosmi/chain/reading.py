@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _KEYS: dict[str, dict[str, bool]] = {
     "load": {"file": True, "metamodel": False, "driver": False, "lenient": False},
     "validate": {"models": True, "stop_at": False},
-    "transform": {"models": True, "makes": True, "metamodel": True, "file": False, "trace": False},
+    "transform": {"models": True, "makes": True, "metamodel": False, "file": False, "trace": False, "driver": False},
     "migrate": {"models": True, "makes": True, "metamodel": True, "file": False},
     "generate": {"models": True, "folder": True, "templates": False},
 }

@@ -390,7 +390,7 @@ class ChainRun:
         if name not in self.models:
             maker = self.makers[name]
             if maker.kind != "load" and maker.file is not None and maker.file.is_file():
-                maker = Step(maker.name, "load", makes=name, file=maker.file, metamodel=maker.metamodel)
+                maker = Step(maker.name, "load", makes=name, file=maker.file, metamodel=maker.metamodel, driver=maker.driver)
             self.do(maker)
         made: Dynamic = self.models[name]
         return made

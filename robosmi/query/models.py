@@ -10,7 +10,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Never, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Never, TypeVar, cast, overload
 
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import find_literal
@@ -23,6 +23,7 @@ from robosmi.model.elements.driver import (
     Node,
     Type,
     TypeHandle,
+    refuse_unknown_attribute,
     unknown_type,
 )
 from robosmi.model.elements.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
@@ -33,6 +34,9 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.repository import Repository
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
+
+if TYPE_CHECKING:
+    from robosmi.model.plain_xml import XmlElement, XmlModel
 
 T = TypeVar("T")
 D = TypeVar("D")
@@ -65,6 +69,28 @@ class ModelView(Model):
     def packages(self) -> list[EPackage]:
         """The outermost EPackages, of EMF's models only."""
         return list(self._emf.packages)
+
+    @property
+    def root(self) -> XmlElement | None:
+        """The root element of a model that has one, as plain XML; it may be given another."""
+        return self._xml.root
+
+    @root.setter
+    def root(self, element: XmlElement) -> None:
+        """Put another element in the place of the root."""
+        self._xml.root = element
+
+    @property
+    def _xml(self) -> XmlModel:
+        from robosmi.model.plain_xml import XmlModel
+
+        if not isinstance(self.model, XmlModel):
+            raise ModelError(f"the model {self.name} has no 'root': it may have several roots", fix="use roots")
+        return self.model
+
+    def __setattr__(self, name: str, value: object) -> None:
+        refuse_unknown_attribute(self, name)
+        super().__setattr__(name, value)
 
     @property
     def _emf(self) -> EmfModel:

@@ -7,7 +7,7 @@ this one.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from msgspec import Struct
@@ -23,8 +23,8 @@ from robosmi.metamodels import migration
 from robosmi.transformations.chains.stages.completion import Completed
 from robosmi.transformations.chains.stages.edited_plan import STORED, digest_without_choices, only_choices_differ
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
-from robosmi.transformations.chains.stages.replaced_programs import replaced_programs
-from robosmi.transformations.m2t.program_files import REPORT
+from robosmi.transformations.chains.stages.program import sketch_name_of
+from robosmi.transformations.m2t.program_files import BENCH, REPORT
 
 
 class Writing(Struct):
@@ -184,3 +184,34 @@ def _with_comments(
         message = lost_comments(lost, Path(beside).name)
         findings.append(Finding("RS524", Severity.warning, message, place, fix="put such notes outside the models"))
     return old
+
+
+def replaced_programs(output: Path, name: str, going: Iterable[str], contents: Iterable[str]) -> list[Finding]:
+    """Findings about sketches of other programs in this folder, whose files are removed or replaced."""
+    staying = {Path(path).name for path in contents}
+    sources = sorted(Path(path).name for path in going if path.startswith(f"{FOLDER}/source/"))
+    same = [each for each in sources if each.endswith(".c") and each not in staying and sketch_name_of(Path(each)) == name]
+    others = {path.partition("/")[0] for path in going} - {name, FOLDER, LAST.partition("/")[0]}
+    tried = [
+        Finding(
+            "RS526", Severity.warning, "the bench sketch is removed because this run has no --bench",
+            Location(str(output / BENCH)), fix="migrate with --bench to keep it",
+        )
+        for _ in others & {BENCH}
+    ]  # fmt: skip
+    tried += [
+        Finding(
+            "RS526", Severity.warning,
+            f"this program replaces '{each}' in the sketch '{name}', including its edits",
+            Location(str(output / name)),
+            fix="give each program an output folder of its own; `robosmi undo` restores the other",
+        )
+        for each in same
+    ]  # fmt: skip
+    return tried + [
+        Finding(
+            "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run generates '{name}' here",
+            Location(str(output / other)), fix="give each program an output folder of its own",
+        )
+        for other in sorted(others - {BENCH})
+    ]  # fmt: skip
