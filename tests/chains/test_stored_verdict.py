@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.transformations.chains.page import report_page
-from robosmi.transformations.chains.stages.stored_verdict import FILE
+from robosmi.transformations.verification.judgement.stored_verdict import FILE
 from tests.running import run
 from tests.tools import require_verification
 

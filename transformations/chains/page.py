@@ -27,7 +27,6 @@ from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import FOLDER, MigrationModels, stored_models
-from robosmi.transformations.chains.stages.stored_verdict import set_verdict, stored_verdict
 from robosmi.transformations.m2t import page_code, page_sections
 from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.program_files import REPORT
@@ -36,6 +35,7 @@ from robosmi.transformations.queries.plans.choices import choices
 from robosmi.transformations.queries.plans.plan import open_choices
 from robosmi.transformations.queries.reports.work import Work
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, task_key, ticks, with_ticks
+from robosmi.transformations.verification.judgement.stored_verdict import set_verdict, stored_verdict
 
 SECTIONS = {
     "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Code", "wiring": "Wiring",

@@ -25,7 +25,6 @@ from robosmi.transformations.chains.simulate import adjacent_plan
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
-from robosmi.transformations.chains.stages.stored_verdict import FILE as VERDICT, SCHEMA, StoredVerdict, sketch_digests
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.program_files import REPORT
@@ -46,6 +45,7 @@ from robosmi.transformations.verification.judgement.compared_outputs import unre
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, ComparedScenario, compare_scenarios
 from robosmi.transformations.verification.judgement.source_reached import cover
+from robosmi.transformations.verification.judgement.stored_verdict import FILE as VERDICT, SCHEMA, StoredVerdict, sketch_digests
 from robosmi.transformations.verification.judgement.verdict import why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,

@@ -33,13 +33,13 @@ from robosmi.transformations.chains.stages.compiler_errors import (
 from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT, conflicts
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
 from robosmi.transformations.chains.stages.pin_check import pin_findings
-from robosmi.transformations.chains.stages.stored_verdict import StoredVerdict, set_verdict, stored_verdict
 from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE
 from robosmi.transformations.queries.reports.written_bodies import task_key
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
+from robosmi.transformations.verification.judgement.stored_verdict import StoredVerdict, set_verdict, stored_verdict
 
 
 class OutputFolder(Struct):

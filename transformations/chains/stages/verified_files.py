@@ -14,8 +14,8 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import write_atomic
 from robosmi.files.run_lock import alone
-from robosmi.transformations.chains.stages.stored_verdict import StoredVerdict
 from robosmi.transformations.verification.judgement.scenario_verdicts import ComparedScenario
+from robosmi.transformations.verification.judgement.stored_verdict import StoredVerdict
 from robosmi.transformations.verification.search.stored_search import FILE, StoredSearch, scenarios_digest
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace

@@ -41,6 +41,21 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: fl
     return put_down_anywhere(made, chance)
 
 
+def late_devices(devices: Sequence[DeviceUse], by_ms: float) -> list[DeviceUse]:
+    """Devices whose signals all change later by a time in milliseconds, or earlier if it is negative."""
+    chance = random.Random(0)
+    return [
+        replace(
+            use,
+            settings={
+                name: [_moved(point, chance, 0.0, 0.0, by_ms) for point in value] if _is_signal(value) else value
+                for name, value in use.settings.items()
+            },
+        )
+        for use in devices
+    ]
+
+
 def put_down_anywhere(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:
     """Devices whose exact initial position is unknown, at another position.
 

@@ -7,7 +7,8 @@ Also: a second look at a scenario in which the migrated program differs: does th
 
 The few varied runs of a scenario are a sample. If an input changes just beside the instant at which the program reads it, only
 some of them, by chance, see it at the next read; the same holds for the servo frame in which a new speed takes effect. So if
-there is a difference, further runs are made, and it counts only if they do not show it themselves.
+there is a difference, further runs are made, and it counts only if they do not show it themselves. Nor does it count if the
+target does, on all channels that differ, what the source does if it sees its inputs a pass of its loop earlier or later.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.base.progress_events import announce
 from robosmi.errors import VerificationError
@@ -22,6 +24,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import Boun
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
 from robosmi.transformations.verification.judgement.side_effects import NO_LEVELS
 from robosmi.transformations.verification.judgement.verdict import SAME_MS, ended_badly, verdict_of, without_target
+from robosmi.transformations.verification.loop_pass import runs_a_pass_apart
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
@@ -30,9 +33,14 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.activity import ActivityEvent
 from robosmi.verify.traces.alignment import alike
+from robosmi.verify.traces.comparison import DIFFERENT, RACY, SAME, ChannelComparison
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NOT_DECIDABLE, ScenarioVerdict
 
 Case = tuple[Scenario, SourceRuns]
+_HANGS_ON_A_PASS = (
+    "an input changes during a pass of the loop: the migrated program does what the original does if it reads the input a pass "
+    "earlier or later; change the input at another time"
+)
 
 
 class ComparedScenario(Struct):
@@ -85,6 +93,9 @@ def compare_scenarios(
         announce(f"check that the original is repeatable in '{scenario.name}'")
         return run_further(program, ports, scenario, runs, LIMIT_S)
 
+    def apart(scenario: Scenario, runs: SourceRuns) -> list[SourceRuns]:
+        return runs_a_pass_apart(program, ports, scenario, runs, LIMIT_S)
+
     found = ComparedScenarios()
     number = 0
     for (scenario, runs), trace in zip(cases, side.run([simulated_longer(*case) for case in cases]), strict=True):
@@ -99,7 +110,7 @@ def compare_scenarios(
             found.undecided += [] if ended_badly(runs) else [trace]
         else:
             first, seen = verdict_of(scenario, runs, trace, ports, one_thread, at_rest), trace
-            told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest)
+            told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest, apart)
             if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
                 found.racy.append((scenario, runs))
                 continue
@@ -117,6 +128,7 @@ def looked_at_again(
     runs: SourceRuns,
     further: Callable[[Scenario, SourceRuns], SourceRuns],
     at_rest: Mapping[str, int] = NO_LEVELS,
+    apart: Callable[[Scenario, SourceRuns], Sequence[SourceRuns]] | None = None,
 ) -> ScenarioVerdict:
     """The verdict on a scenario, with further runs of the source if it is a difference.
 
@@ -129,6 +141,7 @@ def looked_at_again(
         runs: the runs of the source.
         further: adds further runs of the source.
         at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
+        apart: makes runs of the source that see its inputs a pass earlier or later.
     """
     first = told.first
     if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
@@ -137,6 +150,12 @@ def looked_at_again(
     again = verdict_of(scenario, more, trace, ports, one_thread, at_rest)
     selves = [each.itself for each in again.channels if each.channel == first.channel]
     itself = selves[0] if selves else None
+    if again.verdict == DIFFERENT_VERDICT and apart is not None:
+        differ = {each.channel for each in again.channels if each.status == DIFFERENT}
+        for each in apart(scenario, runs):
+            other = verdict_of(scenario, each, trace, ports, one_thread, at_rest)
+            if differ <= {each.channel for each in other.channels if each.status == SAME}:
+                return ScenarioVerdict(scenario, NOT_DECIDABLE, _without_differences(again), again.simulated_ms, _HANGS_ON_A_PASS)
     if itself is None or again.verdict == DIFFERENT_VERDICT:
         return again
     until_ms = first.at_ms
@@ -145,3 +164,8 @@ def looked_at_again(
         later_ms = [event.at_us / 1000 for event in events if event.at_us / 1000 > first.at_ms]
         until_ms = min(later_ms) if later_ms else scenario.horizon_ms
     return again if itself.at_ms <= until_ms + SAME_MS else told  # a later one explains nothing
+
+
+def _without_differences(told: ScenarioVerdict) -> tuple[ChannelComparison, ...]:
+    """The channels of a verdict, with those that differ as racy."""
+    return tuple(replace(c, status=RACY, difference=None) if c.status == DIFFERENT else c for c in told.channels)

@@ -1,0 +1,75 @@
+"""A difference that only comes from the instant at which an input changes within a pass of the source's loop is none."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.judgement.scenario_verdicts import looked_at_again
+from robosmi.transformations.verification.judgement.verdict import verdict_of
+from robosmi.transformations.verification.loop_pass import longest_pass_ms, runs_a_pass_apart
+from robosmi.transformations.verification.original_side import SourceRuns, run_source, run_varied
+from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace
+from tests.host_model.bench import built
+from tests.tools import require_tools
+
+PROGRAM = """#include "simpletools.h"
+int main() {
+  while (1) {
+    if (input(3)) high(5); else low(5);
+    print("lit %d\\n", input(3));
+    pause(100);
+  }
+}
+"""
+PORTS = [BoundPort("P3", "P3", "P3", device="levels", pin="pin"), BoundPort("P5", "P5", "P5")]
+
+
+def scenario(at_ms: float) -> Scenario:
+    return Scenario("s", 3000.0, {"P3": {"points": ((0.0, 0), (at_ms, 1), (at_ms + 700.0, 0))}})
+
+
+def judged(seen_at_ms: float, text: str = PROGRAM) -> str:
+    """The verdict on a target that does what a program does where the input changes at another time."""
+    require_tools("gcc", "gcov", "objcopy")
+    asked = scenario(1000.0)
+    with built(PROGRAM) as program, built(text) as other:
+        runs = run_varied(program, PORTS, asked, run_source(program, PORTS, asked))
+        trace: PinTrace = run_source(other, PORTS, scenario(seen_at_ms)).trace
+        told = verdict_of(asked, runs, trace, PORTS, True)
+
+        def further(asked: Scenario, runs: SourceRuns) -> SourceRuns:
+            return runs
+
+        def apart(asked: Scenario, runs: SourceRuns) -> list[SourceRuns]:
+            return runs_a_pass_apart(program, PORTS, asked, runs, 60.0)
+
+        return looked_at_again(told, asked, trace, PORTS, True, runs, further, apart=apart).verdict
+
+
+@pytest.mark.parametrize("seen_at_ms", [900.0, 1100.0])
+def test_a_change_that_is_seen_a_pass_earlier_or_later_is_not_decidable(seen_at_ms: float) -> None:
+    assert judged(seen_at_ms) == "not-decidable"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("if (input(3))", "if (!input(3))"), ('"lit %d\\n", input(3)', '"lit %d\\n", 1'), ("pause(100)", "pause(230)")],
+    ids=["inverted", "a number that is off by one", "slower"],
+)
+def test_faults_stay_differences(old: str, new: str) -> None:
+    assert PROGRAM.count(old) == 1
+    assert judged(1000.0, PROGRAM.replace(old, new)) == "different"
+    assert judged(1100.0, PROGRAM.replace(old, new)) == "different"
+
+
+def test_a_change_that_is_seen_much_later_is_a_difference() -> None:
+    assert judged(1400.0) == "different"
+
+
+def test_a_pass_is_the_longest_time_between_two_calls_from_one_place() -> None:
+    calls = [LibraryCall(1000.0 * at, "input", "p.c", 4) for at in (0, 50, 100, 180, 230, 900)]
+    assert longest_pass_ms(calls) == 80.0
+    assert longest_pass_ms(calls[:3]) == 0.0

@@ -1,0 +1,112 @@
+"""Runs of the source in which it sees its inputs a pass of its loop earlier or later.
+
+A program that polls sees a change of an input at its next read. Where the change is just beside a read, one board sees it a pass
+earlier than the other, and neither is wrong. Moving all inputs by a pass of the source's own loop gives the run that the other
+board should have made: only if that is what the target did is the difference one of the instant alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from msgspec.structs import replace
+
+from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, late_devices
+from robosmi.transformations.verification.original_side import SETTLED, SourceRuns, channel_events
+from robosmi.transformations.verification.rest_comparison import observed_rests
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_calls import LibraryCall, library_calls
+from robosmi.verify.original_run import run_original
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.traces.activity import READING, ActivityEvent
+from robosmi.verify.traces.alignment import numbers_of, shape_of
+
+Range = tuple[float, float]
+Ranges = tuple[Range | None, ...]
+_FEWEST_PASSES = 4
+_LONGEST_PASS_MS = 200.0
+"""A loop with longer passes is not taken for one that polls its inputs, in milliseconds."""
+_PARTS = (1.0, -1.0, 2 / 3, -2 / 3, 1 / 3, -1 / 3)
+"""By which parts of a pass inputs are moved: the loops of two boards may stand anywhere in theirs when an input changes."""
+
+
+def longest_pass_ms(calls: Iterable[LibraryCall]) -> float:
+    """The longest time between two calls from one place, which is how late a program that polls may see a change; 0 without."""
+    places: dict[tuple[str, str, int], list[float]] = {}
+    for call in calls:
+        places.setdefault((call.function, call.file, call.line), []).append(call.at_us / 1000)
+    often = (times for times in places.values() if len(times) > _FEWEST_PASSES)
+    between = (after - before for times in often for before, after in pairwise(times))
+    return max((each for each in between if each <= _LONGEST_PASS_MS), default=0.0)
+
+
+def runs_a_pass_apart(
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float
+) -> list[SourceRuns]:
+    """Runs of a scenario with all inputs up to a pass later or earlier; none where no input changes.
+
+    Args:
+        program: the original.
+        ports: its ports.
+        scenario: the scenario.
+        runs: its runs so far.
+        limit_s: seconds of processor time for each run.
+    """
+    changes = (point[0] for settings in scenario.signals.values() for points in settings.values() for point in points)
+    if not any(float(at_ms) > 0 for at_ms in changes):
+        return []
+    devices, until_us = played(ports, scenario, target=False), scenario.horizon_ms * 1000
+    pass_ms = longest_pass_ms(library_calls(program, devices, 0, until_us, limit_s))
+    if pass_ms <= MOVED_MS:  # the varied runs of the scenario are moved as far
+        return []
+    found: list[SourceRuns] = []
+    for part in _PARTS:
+        moved = late_devices(devices, part * pass_ms)
+        run = run_original(program, until_us, moved, limit_s=limit_s, brief=brief_pins(ports, target=False))
+        if run.status in SETTLED:
+            seen = channel_events(run.trace, ports, target=False)
+            channels = {
+                name: [[_as_exact(events, runs.channels[name][sight][0])] for sight, events in enumerate(sights)]
+                for name, sights in seen.items()
+                if name in runs.channels
+            }
+            rests = {name: [each] for name, each in observed_rests(run.trace, ports, target=False).items()}
+            found.append(SourceRuns(run, (), channels, loop=runs.loop, rests=rests))
+    return found
+
+
+def _as_exact(events: Sequence[ActivityEvent], known: Sequence[ActivityEvent]) -> list[ActivityEvent]:
+    """Events whose numbers are as exact as those of another run: all, but for what is measured in lines of the same shape there.
+
+    A measured number lies in the range that lines of the same text have there. Nothing is known of another text, so it is exact.
+
+    Args:
+        events: the events.
+        known: those of the run of which it is known which numbers are measured.
+    """
+    exact: dict[str, tuple[bool, ...]] = {}
+    between: dict[str, Ranges] = {}
+    for event in known:
+        if event.kind == READING:
+            shape, text, many = shape_of(event), str(event.value[0]), len(numbers_of(event))
+            own = event.exact or (False,) * many
+            exact[shape] = tuple(map(min, own, exact.get(shape, own)))
+            ranges = event.between or (None,) * many
+            between[text] = tuple(map(_widest, ranges, between.get(text, ranges)))
+    return [
+        replace(
+            event,
+            exact=exact[shape_of(event)] if str(event.value[0]) in between else (True,) * len(numbers_of(event)),
+            between=between.get(str(event.value[0]), ()),
+        )
+        if event.kind == READING
+        else event
+        for event in events
+    ]
+
+
+def _widest(one: Range | None, other: Range | None) -> Range | None:
+    return None if one is None or other is None else (min(one[0], other[0]), max(one[1], other[1]))
