@@ -364,7 +364,7 @@ def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  
     return merged
 
 
-_OPEN = ("readers", "targets")
+_OPEN = ("readers", "source_platforms", "targets")
 """Tables of the defaults whose keys are names of one's own: endings, and targets."""
 
 

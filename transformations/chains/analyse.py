@@ -16,7 +16,7 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
 from robosmi.project import default_text, project_of
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.stages.reading import check_source_platform, read_program
+from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files, read_program
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
 from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT, read_side
@@ -62,13 +62,13 @@ def analysis_chain() -> Chain:
     return chain
 
 
-def source_api(source_platform: str | None) -> ApiIndex:
+def source_api(source_platform: str | None, paths: Sequence[Path]) -> ApiIndex:
     """The API of the platform that the program was written for.
 
     Raises:
         UsageError: there is no such platform.
     """
-    name = source_platform or default_text("migrate", "source_platform")
+    name = source_platform or platform_of_files(paths)
     check_source_platform(name)
     return ApiIndex.load(name)
 

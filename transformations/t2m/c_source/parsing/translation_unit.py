@@ -111,16 +111,30 @@ class Parsed(Struct):
 
 
 def parse(
-    source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str], before: Sequence[str] = ()
+    source: ReadSource,
+    api: ApiIndex,
+    include_dirs: Sequence[str],
+    defines: Sequence[str],
+    before: Sequence[str] = (),
+    added: Sequence[Replacement] = (),
 ) -> Parsed | None:
-    """Parse a text, again with declarations of what it does not declare; None if libclang gave up."""
-    return _parse(source, api, Call(source, api, include_dirs, defines, before))
+    """Parse a text, again with declarations of what it does not declare; None if libclang gave up.
+
+    Args:
+        source: the text.
+        api: the platform it was written for.
+        include_dirs: folders with headers.
+        defines: macros as on a command line.
+        before: paths of files that stand before the text.
+        added: declarations that the platform's tools insert; the result has nothing of them.
+    """
+    return _parse(source, api, Call(source, api, include_dirs, defines, before), added)
 
 
-def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
+def _parse(source: ReadSource, api: ApiIndex, call: Call, added: Sequence[Replacement]) -> Parsed | None:
     first: list[Diagnostic] = []
     taken_out = [*cuts(source.path, source.parsed, source.tokens), *call.own_includes()]
-    attempt = _Attempt(source, taken_out)
+    attempt = _Attempt(source, [*taken_out, *added])
     prelude = _prelude(source, api)
     number = 0
     while True:
@@ -133,7 +147,7 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
         diagnostics = _diagnostics(unit, reader)
         if (doubt := _doubt(diagnostics)) and call.leave(outdated=any(d.offset < 0 and d.severity >= clang.FATAL for d in doubt)):
             clang.library().disposeTranslationUnit(unit)
-            return _parse(source, api, call)
+            return _parse(source, api, call, added)
         if number == 1:
             first = list(diagnostics)
         else:  # a type that only comes to light when the text is mended is as unknown
@@ -144,7 +158,8 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
         elif not attempt.next(diagnostics):
             break
         clang.library().disposeTranslationUnit(unit)
-    nodes = reader.read()
+    places = {edit.start for edit in added}
+    nodes = [node for node in reader.read() if not (node.start == node.end and node.start in places)]
     reader.cut[:0] = [(e.start, e.end) for e in taken_out]
     return Parsed(
         source,
