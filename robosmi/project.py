@@ -54,6 +54,7 @@ class Project(Struct, frozen=True):
         hardware: the drawing, an absolute path, or None.
         target: the target's name, or None.
         source_platform: the source platform's name, or None.
+        source_board: the board that the program runs on today, or None.
         libraries: component (title or `#model_index`) -> library.
         bind: port of the source -> target pin or mapping.
         roles: component -> role.
@@ -67,6 +68,7 @@ class Project(Struct, frozen=True):
     hardware: Path | None = None
     target: str | None = None
     source_platform: str | None = None
+    source_board: str | None = None
     libraries: dict[str, str] = {}
     bind: dict[str, str] = {}
     roles: dict[str, str] = {}
@@ -89,7 +91,7 @@ POINTS = 64
 """Limit on the measured points of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
 """The shortest and longest pulse width for servos, in microseconds."""
-_MIGRATE = ("hardware", "target", "source_platform")
+_MIGRATE = ("hardware", "target", "source_platform", "from")
 
 
 def project_of(first: Path) -> Project:
@@ -152,6 +154,7 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         hardware=_path_in(folder, migrate["hardware"]) if "hardware" in migrate else None,
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
+        source_board=migrate.get("from"),
         libraries=_table(path, data, "libraries", text),
         bind=_bind(path, data, text),
         roles=_table(path, data, "roles", text),

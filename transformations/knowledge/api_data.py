@@ -15,11 +15,13 @@ class SketchSettings(TypedDict):
         endings: of the files that are joined.
         include: the header that the tools include before the text.
         sources: the folder beside them whose sources belong to the program, too.
+        board: the board of a program of which nobody says it.
     """
 
     endings: list[str]
     include: str
     sources: str
+    board: str
 
 
 class ParserSettings(TypedDict, total=False):

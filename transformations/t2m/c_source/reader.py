@@ -22,7 +22,6 @@ from robosmi.model.elements.construct import connect
 from robosmi.project import default_text
 from robosmi.transformations.knowledge.api_data import SketchSettings
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.t2m.c_source import coverage, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.grammar import BUILDERS
@@ -31,7 +30,8 @@ from robosmi.transformations.t2m.c_source.parsing import checks
 from robosmi.transformations.t2m.c_source.parsing.headers import guarded
 from robosmi.transformations.t2m.c_source.parsing.included_before import included_before
 from robosmi.transformations.t2m.c_source.parsing.invocation import HEADERS as VIRTUAL_HEADERS
-from robosmi.transformations.t2m.c_source.parsing.sketch import HEADERS, prototypes
+from robosmi.transformations.t2m.c_source.parsing.joined_tabs import NOT_JOINED, joined_text
+from robosmi.transformations.t2m.c_source.parsing.sketch import HEADERS
 from robosmi.transformations.t2m.c_source.parsing.source import read_source
 from robosmi.transformations.t2m.c_source.parsing.sources import Compiled, is_cplusplus_program, source_files
 from robosmi.transformations.t2m.c_source.parsing.translation_unit import parse
@@ -205,12 +205,8 @@ def _unit(
     tabs: Sequence[str] = (),
 ) -> ccode.SourceUnit:
     source = read_source(path, cplusplus)
-    added: list[Replacement] = []
-    if tabs:
-        number = tabs.index(source.path)
-        before = [*before, *tabs[:number]]
-        added = prototypes(source.tokens, [read_source(tab).tokens for tab in tabs[number + 1 :]])
-    parsed = parse(source, api, folders, defines, before, added)
+    joined = joined_text(source, [source if tab == source.path else read_source(tab) for tab in tabs]) if tabs else NOT_JOINED
+    parsed = parse(source, api, folders, defines, [*before, *joined.before], joined)
     if parsed is None:
         raise SourceError(
             "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"
