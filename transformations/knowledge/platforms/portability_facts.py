@@ -23,7 +23,7 @@ from robosmi.transformations.knowledge.platforms.platform_folder import platform
 class Kind(Struct, frozen=True, forbid_unknown_fields=True):
     """A kind of place; the file explains the attributes.
 
-    `functions`, `stores`, `converters`, `conditions` and `registers` are read by the one rule that needs them.
+    `functions`, `stores`, `converters`, `conditions`, `words` and `registers` are read by the one rule that needs them.
     """
 
     what: str
@@ -35,6 +35,7 @@ class Kind(Struct, frozen=True, forbid_unknown_fields=True):
     stores: tuple[str, ...] = ()
     converters: tuple[str, ...] = ()
     conditions: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
     registers: str = ""
     alike: str = ""
     cure: str = "none"

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from fnmatch import fnmatchcase
 
 from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.portability_facts import Chip, Kind
 from robosmi.transformations.queries.code import CodeView
@@ -37,7 +38,8 @@ def named(kind: Kind, seen: SeenProgram) -> Found:
                 yield At(view.unit, use.line), use.name
         for type_use in view.of_kind(ccode.TypeUse) if kind.types else ():
             holder = ancestor_of_kind(type_use, ccode.Located)
-            if holder is not None and kind_of_type(type_use) in kind.types:
+            object_ = not {"*", "&"}.intersection(str(type_use.spelling)) and not type_use.pointerDepth
+            if holder is not None and object_ and kind_of_type(type_use) in kind.types:
                 yield At(view.unit, int(holder.line)), kind_of_type(type_use)
 
 
@@ -211,7 +213,7 @@ def pins_as_analog_numbers(kind: Kind, seen: SeenProgram) -> Found:
     """Numbers that are those of analogue pins on the source board, and of other pins on the other board."""
     here, there = seen.move.source.numbers, seen.move.target.numbers
     analog = {number for number, label in here.items() if label.startswith("A") and there.get(number) != label}
-    yield from _pin_numbers(analog, seen)
+    yield from ((at, str(origin.number)) for at, origin in _pin_numbers(analog, seen))
 
 
 def analog_pins(kind: Kind, seen: SeenProgram) -> Found:
@@ -223,14 +225,28 @@ def pin_of_led(kind: Kind, seen: SeenProgram) -> Found:
     """The number of the pin with the source board's LED, where the other board has it at another pin."""
     here, there = seen.move.source, seen.move.target
     numbers = {number for number, label in here.numbers.items() if label == here.led and there.numbers.get(number) != there.led}
-    yield from _pin_numbers(numbers, seen)
+    for at, origin in _pin_numbers(numbers, seen):
+        parent = origin.at.eContainer()
+        direct = isinstance(parent, ccode.Call) and str(parent.calleeName) in kind.functions
+        if direct or _words_around(origin.at).intersection(kind.words):
+            yield at, str(origin.number)
 
 
-def _pin_numbers(numbers: set[int], seen: SeenProgram) -> Found:
+def _words_around(element: Element | None) -> set[str]:
+    """The words in the names of what has a number: the constant, member or macro, or the class that is made with it."""
+    while element is not None and not isinstance(element, (ccode.Statement, ccode.Function, ccode.SourceUnit)):
+        name = element.className if isinstance(element, ccode.ConstructorCall) else getattr(element, "name", "")
+        if isinstance(element, (ccode.Declaration, ccode.Macro, ccode.ConstructorCall)) and name:
+            return {word.lower() for word in _WORDS.findall(str(name))}
+        element = element.eContainer()
+    return set()
+
+
+def _pin_numbers(numbers: set[int], seen: SeenProgram) -> Iterator[tuple[At, Origin]]:
     for origin in (*seen.pin_numbers, *_called_pins(seen)):
         at = seen.at(origin.at) if origin.number in numbers else None
         if at is not None:
-            yield at, str(origin.number)
+            yield at, origin
 
 
 def _called_pins(seen: SeenProgram) -> Iterator[Origin]:

@@ -1,7 +1,7 @@
 """The names that a unit uses and that its program does not declare, wherever they stand.
 
-They come from the model: references, calls, uses of macros, bodies of the program's macros, calls and statements that the parser
-lost. Text that the board's macros leave out is not in the model, but another board may compile it; its names come from the tokens.
+They come from the model: references, calls, uses of macros, bodies of the program's macros, and what the parser lost. Text that the
+board's macros leave out is not in the model, but another board may compile it: its names come from the tokens.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.lexer import Token, directive_parts, tokens
+from robosmi.transformations.knowledge.lexer import directive_parts, tokens
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.macros.tokens import names_in
 
@@ -39,7 +39,7 @@ def foreign_names(view: CodeView) -> list[UsedName]:
         view: the unit.
     """
     own = own_names(view.program)
-    found = [*_in_model(view), *_in_text(view, own)]
+    found = [*(use for use in _in_model(view) if use.name not in own), *_in_text(view, own)]
     return sorted({(use.line, use.name): use for use in reversed(found)}.values(), key=lambda use: (use.line, use.name))
 
 
@@ -78,13 +78,14 @@ def _in_text(view: CodeView, own: set[str]) -> Iterator[UsedName]:
     for unknown in (*view.of_kind(ccode.UnknownStatement), *view.of_kind(ccode.UnknownExpression)):
         for name in names_in(str(unknown.text or "")) - own:
             yield UsedName(name, int(unknown.line))
-    yield from (use for use in _left_out(view.unit) if use.name not in own)
+    yield from (use for use in _not_in_model(view.unit) if use.name not in own)
 
 
-def _left_out(unit: ccode.SourceUnit) -> Iterator[UsedName]:
-    """The names in the text that conditional directives leave out."""
+def _not_in_model(unit: ccode.SourceUnit) -> Iterator[UsedName]:
+    """The names in the text that conditional directives leave out, and in lines that the parser complains about."""
+    damaged = {int(problem.line) for problem in unit.problems}
     ranges = list(left_out_ranges(unit.conditionals))
-    if not ranges:
+    if not ranges and not damaged:
         return
     data = inputs.read_bytes(str(unit.path), inputs.SOURCE)
     lines = [0, *(match.end() for match in _LINE_END.finditer(data))]
@@ -92,9 +93,10 @@ def _left_out(unit: ccode.SourceUnit) -> Iterator[UsedName]:
     before = ""
     for kind, start, _, text in tokens(data):
         place = bisect_right(starts, start) - 1
-        if place >= 0 and start < ranges[place][1] and before not in _MEMBER:
+        out = place >= 0 and start < ranges[place][1]
+        if before not in _MEMBER and (out or (kind == "name" and bisect_right(lines, start) in damaged)):
             for name, offset in _names_of(kind, text):
-                yield UsedName(name, bisect_right(lines, start + offset), _call_text(text))
+                yield UsedName(name, bisect_right(lines, start + offset))
         before = text if kind != "comment" else before
 
 
@@ -105,10 +107,6 @@ def _names_of(kind: str, text: str) -> Iterable[tuple[str, int]]:
     if kind == "directive" and directive_parts(text)[0] == "define":
         return [(match[0], match.start()) for match in list(_WORD.finditer(text))[2:]]
     return []
-
-
-def _call_text(text: str) -> str:
-    return text if "(" in text else ""
 
 
 def left_out_ranges(conditionals: Iterable[ccode.PreprocessorConditional]) -> Iterator[tuple[int, int]]:
@@ -131,8 +129,3 @@ def left_out_ranges(conditionals: Iterable[ccode.PreprocessorConditional]) -> It
         start = -1 if all(open_) else int(each.endOffset)
     if start >= 0:
         yield start, start
-
-
-def tokens_of(text: str) -> list[Token]:
-    """The tokens of a piece of text."""
-    return tokens(text.encode())
