@@ -68,7 +68,7 @@ def check_source_platform(name: str) -> None:
 
 
 def platform_of_files(paths: Sequence[Path]) -> str:
-    """The source platform of a program by its files' endings, those directly in a folder included; that of the defaults for others."""
+    """The source platform of a program by its files' endings, those directly in a folder included, else the default one."""
     settings = defaults()
     names = (name for path in paths for name in ([entry.name for entry in path.iterdir()] if path.is_dir() else [path.name]))
     endings = {os.path.splitext(name)[1].lower() for name in names}

@@ -1,4 +1,4 @@
-"""The board that a program runs on today: named by the user, read from the drawing beside the sketch, or the platform's usual one."""
+"""The board that a program runs on today: the user names it, the drawing beside the sketch has it, or it is the usual one."""
 
 from __future__ import annotations
 

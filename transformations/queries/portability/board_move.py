@@ -49,14 +49,14 @@ def board_side(target: platform.Target) -> BoardSide:
         target: the board with its platform.
     """
     board, own = target.board, target.platform
-    assert board is not None and own is not None
+    assert board is not None
+    assert own is not None
     chip = board.microcontroller
     mapping = next((each for each in own.boardMappings if each.board is board), None)
     named = [name for name in mapping.pinNames if name.pin is not None] if mapping is not None else []
     aliases = {alias: str(pin.label) for pin in board.pins for alias in (str(pin.label), *map(str, pin.aliases))}
-    numbers = {
-        int(str(name.literal)): str(name.pin.label) for name in named if name.pin is not None and str(name.literal).isdigit()
-    }
+    labels = {str(name.literal): str(name.pin.label) for name in named if name.pin is not None}
+    numbers = {int(literal): label for literal, label in labels.items() if literal.isdigit()}
     numbers |= {int(alias[1:]): label for alias, label in aliases.items() if alias[:1] == "D" and alias[1:].isdigit()}
     return BoardSide(
         str(board.title),

@@ -6,7 +6,7 @@ A rule gives a line and what stands there. Kinds without a rule of their own are
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fnmatch import fnmatchcase
 
 from robosmi.metamodels import ccode
@@ -21,6 +21,7 @@ from robosmi.transformations.queries.portability.seen_program import At, SeenPro
 Found = Iterator[tuple[At, str]]
 Rule = Callable[[Kind, SeenProgram], Found]
 _BYTES = frozenset(["char", "signed char", "unsigned char", "bool", "int8_t", "uint8_t", "byte", "boolean"])
+_INTS = frozenset(["int", "signed int", "signed", "unsigned int", "unsigned", "word", "size_t"])
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _VECTOR = re.compile(r"\(\s*(\w+)")
 _WITHOUT_BITS = re.compile(r"(PORT|PIN|DDR)([A-L])")
@@ -72,8 +73,8 @@ def _same_pins(register: str, seen: SeenProgram) -> bool:
     return _pins(prefix, seen.move.source.ports) == _pins(prefix, seen.move.target.ports)
 
 
-def _pins(prefix: str, ports: object) -> dict[str, str]:
-    return {port: label for port, label in dict(ports).items() if port.startswith(prefix)}  # type: ignore[call-overload]
+def _pins(prefix: str, ports: Mapping[str, str]) -> dict[str, str]:
+    return {port: label for port, label in ports.items() if port.startswith(prefix)}
 
 
 def interrupt_vectors(kind: Kind, seen: SeenProgram) -> Found:
@@ -101,9 +102,9 @@ def sizes_of_int(kind: Kind, seen: SeenProgram) -> Found:
         return
     for view in seen.views:
         for size in view.of_kind(ccode.SizeOf):
-            if size.measured is not None and kind_of_type(size.measured) in ("int", "unsigned int", "unsigned", "signed int"):
-                if "*" not in str(size.measured.spelling):
-                    yield At(view.unit, int(size.line)), f"sizeof({size.measured.spelling})"
+            spelling = str(size.measured.spelling) if size.measured is not None else ""
+            if " ".join(spelling.split()) in _INTS:
+                yield At(view.unit, int(size.line)), f"sizeof({spelling})"
 
 
 def bytes_of_objects(kind: Kind, seen: SeenProgram) -> Found:
@@ -112,16 +113,21 @@ def bytes_of_objects(kind: Kind, seen: SeenProgram) -> Found:
         return
     for view in seen.views:
         for call in view.of_kind(ccode.Call):
-            if (str(call.calleeName) in kind.functions and any(_has_layout(each) for each in list(call.arguments)[:2])) or (
-                str(call.calleeName) in kind.stores and _on_eeprom(call) and any(_has_layout(e) for e in list(call.arguments)[1:])
-            ):
+            if any(map(_has_layout, _objects_of(call, kind))):
                 yield At(view.unit, int(call.line)), f"{call.calleeName}()"
         for cast in view.of_kind(ccode.Cast):
-            inner = cast.operand
-            target = str(cast.target.spelling) if cast.target is not None else ""
-            if target.count("*") == 1 and isinstance(inner, ccode.Unary) and inner.operator == "&" and _bytes(target):
-                if _has_layout(inner):
-                    yield At(view.unit, int(cast.line)), expression_text(inner)
+            target, inner = str(cast.target.spelling) if cast.target is not None else "", cast.operand
+            of_object = isinstance(inner, ccode.Unary) and inner.operator == "&"
+            if inner is not None and of_object and target.count("*") == 1 and _bytes(target) and _has_layout(inner):
+                yield At(view.unit, int(cast.line)), expression_text(inner)
+
+
+def _objects_of(call: ccode.Call, kind: Kind) -> list[ccode.Expression]:
+    """The arguments whose bytes a call copies, or moves from or to the EEPROM."""
+    arguments = list(call.arguments)
+    if str(call.calleeName) in kind.functions:
+        return arguments[:2]
+    return arguments[1:] if str(call.calleeName) in kind.stores and _on_eeprom(call) else []
 
 
 def _on_eeprom(call: ccode.Call) -> bool:
@@ -151,18 +157,19 @@ def times_in_int(kind: Kind, seen: SeenProgram) -> Found:
         return
     for view in seen.views:
         for variable in (*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)):
-            if _in_int(variable.valueType, seen) and _takes_time(variable.initializer, kind):
+            if _in_int(variable.valueType) and _takes_time(variable.initializer, kind):
                 yield At(view.unit, int(variable.line)), str(variable.name)
         for assignment in view.of_kind(ccode.Assignment):
             target = assignment.left.target if isinstance(assignment.left, ccode.NameReference) else None
-            if isinstance(target, (ccode.Variable, ccode.Field, ccode.Parameter)) and _in_int(target.valueType, seen):
-                if assignment.operator == "=" and _takes_time(assignment.right, kind):
-                    yield At(view.unit, int(assignment.line)), str(target.name)
+            typed = target if isinstance(target, (ccode.Variable, ccode.Field, ccode.Parameter)) else None
+            takes = assignment.operator == "=" and _takes_time(assignment.right, kind)
+            if typed is not None and takes and _in_int(typed.valueType):
+                yield At(view.unit, int(assignment.line)), str(typed.name)
 
 
-def _in_int(use: ccode.TypeUse | None, seen: SeenProgram) -> bool:
-    spelling = kind_of_type(use) if use is not None else ""
-    return spelling in ("int", "unsigned int", "unsigned", "signed int", "word") and use is not None and not use.arrayDims
+def _in_int(use: ccode.TypeUse | None) -> bool:
+    """Whether a variable has the width of int, which differs; int16_t has not."""
+    return use is not None and kind_of_type(use) in _INTS and not use.arrayDims and not use.pointerDepth
 
 
 def _takes_time(value: ccode.Expression | None, kind: Kind) -> bool:

@@ -1,7 +1,7 @@
 """The names that a unit uses and that its program does not declare, wherever they stand.
 
-They come from the model: references, calls, uses of macros, bodies of the program's macros, and what the parser lost. Text that the
-board's macros leave out is not in the model, but another board may compile it: its names come from the tokens.
+They come from the model: references, calls, uses of macros, bodies of the program's macros, and what the parser lost. Text that
+the board's macros leave out is not in the model, but another board may compile it: its names come from the tokens.
 """
 
 from __future__ import annotations

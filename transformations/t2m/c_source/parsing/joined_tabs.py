@@ -2,8 +2,8 @@
 
 Each file is parsed behind those before it, so that places are those of the files. Source: Arduino CLI, "Sketch build process".
 
-Limits: there is no prototype of a template, of a member function, and of a function with a default argument or several tokens between
-its parameters and its body.
+Limits: there is no prototype of a template, of a member function, and of a function with a default argument or with more than
+its parameters before its body.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _spelt(tokens: Iterable[Token]) -> str:
 
 
 def _heads(tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
-    """The heads of the functions that a text defines at its top level: index of the first token, index behind the closing bracket."""
+    """The heads of the functions defined at the top level: index of the first token, index behind the closing bracket."""
     return ((start, end) for start, end in _declarators(tokens) if end < len(tokens) and tokens[end][3] == "{")
 
 
