@@ -16,8 +16,8 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
 from robosmi.project import default_text, project_of
 from robosmi.resources import project_of_input
+from robosmi.transformations.chains.source_board import SourceBoard, find_source_board, places_of
 from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files, read_program
-from robosmi.transformations.chains.stages.source_board import SourceBoard, find_source_board, places_of
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
 from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT, read_side

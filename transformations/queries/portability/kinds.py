@@ -156,7 +156,8 @@ def times_in_int(kind: Kind, seen: SeenProgram) -> Found:
     if seen.move.source.int_bits == seen.move.target.int_bits:
         return
     for view in seen.views:
-        for variable in (*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)):
+        declared: list[ccode.Variable | ccode.Field] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)]
+        for variable in declared:
             if _in_int(variable.valueType) and _takes_time(variable.initializer, kind):
                 yield At(view.unit, int(variable.line)), str(variable.name)
         for assignment in view.of_kind(ccode.Assignment):

@@ -75,9 +75,10 @@ def _in_text(view: CodeView, own: set[str]) -> Iterator[UsedName]:
     for macro in view.unit.macros:
         for name in names_in(str(macro.body or "")) - set(macro.parameters) - own:
             yield UsedName(name, int(macro.line))
-    for unknown in (*view.of_kind(ccode.UnknownStatement), *view.of_kind(ccode.UnknownExpression)):
-        for name in names_in(str(unknown.text or "")) - own:
-            yield UsedName(name, int(unknown.line))
+    statements = [(str(each.text or ""), int(each.line)) for each in view.of_kind(ccode.UnknownStatement)]
+    expressions = [(str(each.text or ""), int(each.line)) for each in view.of_kind(ccode.UnknownExpression)]
+    for text, line in (*statements, *expressions):
+        yield from (UsedName(name, line) for name in names_in(text) - own)
     yield from (use for use in _not_in_model(view.unit) if use.name not in own)
 
 
