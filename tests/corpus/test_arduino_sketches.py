@@ -1,6 +1,6 @@
 """Places that may behave differently, on public sketches with labels: precision and recall, and no crash.
 
-ROBOSMI_SKETCHES names a folder with a folder for each program: `labels.json` (`board`, `traps`: kind -> ["FILE:LINE", ...]) and the
+ROBOSMI_SKETCHES names a folder with one for each program: `labels.json` (`board`, `traps`: kind -> ["FILE:LINE", ...]) and the
 sketch's folder. The labels are for the Pico, made by rules over the text and partly read by eye.
 """
 
