@@ -16,7 +16,7 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
 from robosmi.project import default_text, project_of
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.source_board import SourceBoard, find_source_board, places_of
+from robosmi.transformations.chains.source_board import SourceBoard, bundled_library, find_source_board, places_of
 from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files, read_program
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
@@ -64,6 +64,10 @@ class Analysis(Struct, frozen=True):
             lines.append(f"  {kind}: {len(found)}")
             for place in found:
                 lines.append(f"    {os.path.relpath(place['path'])}:{place['line']}: {place['what']}")
+        for library in self.result["bundled_libraries"]:
+            lines.append(
+                f"  {os.path.relpath(library)}: a library in the sketch that uses such things; its places are not listed"
+            )
         return lines
 
 
@@ -133,7 +137,10 @@ def analysed(
         findings = [*board.findings, *findings]
         result["board"] = board.name
     if target is not None:
-        result["portability"] = [structs.asdict(place) for place in places_of(program, api, board, target)]
+        places = places_of(program, api, board, target)
+        bundled = {place.path: library for place in places if (library := bundled_library(place.path, api)) is not None}
+        result["portability"] = [structs.asdict(place) for place in places if place.path not in bundled]
+        result["bundled_libraries"] = sorted(set(bundled.values()))
     if any(finding.rule in UNKNOWN for finding in findings):
         from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, still_unknown  # most programs are known
         from robosmi.transformations.knowledge.platforms.target_platform import target_facts

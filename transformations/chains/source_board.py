@@ -98,3 +98,17 @@ def places_of(program: ccode.Program, api: ApiIndex, board: SourceBoard | None, 
         raise UsageError(f"--target: nothing is known about moving programs of '{api.name}' by place", fix="run robosmi migrate")
     move = BoardMove(board_side(board.facts.model), board_side(target_facts(target).model))
     return portability(views(program, api), facts, move)
+
+
+def bundled_library(path: str, api: ApiIndex) -> str | None:
+    """The folder of the library that a sketch brings along and that has a file; None for a file of the sketch's own.
+
+    A library is a folder directly in the sketch's folder of sources with a header of its name: it is replaced as a whole.
+    """
+    sources = api.sketch["sources"] if api.sketch is not None else ""
+    parts = Path(path).parts
+    for place in range(len(parts) - 2):
+        folder = Path(*parts[: place + 2])
+        if parts[place] == sources and (folder / f"{parts[place + 1]}.h").is_file():
+            return str(folder)
+    return None
