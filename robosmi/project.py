@@ -54,6 +54,7 @@ class Project(Struct, frozen=True):
         hardware: the drawing, an absolute path, or None.
         target: the target's name, or None.
         source_platform: the source platform's name, or None.
+        source_board: the board that the program runs on today, or None.
         ranker: the name of the ranker of libraries, or None.
         libraries: component (title or `#model_index`) -> library.
         bind: port of the source -> target pin or mapping.
@@ -69,6 +70,7 @@ class Project(Struct, frozen=True):
     hardware: Path | None = None
     target: str | None = None
     source_platform: str | None = None
+    source_board: str | None = None
     ranker: str | None = None
     libraries: dict[str, str] = {}
     bind: dict[str, str] = {}
@@ -95,7 +97,7 @@ PULSES = (500, 2500)
 """The shortest and longest pulse width for servos, in microseconds."""
 LONGEST_WAIT_MS = 600_000
 """Limit on the wait for a console."""
-_MIGRATE = ("hardware", "target", "source_platform", "console_wait_ms")
+_MIGRATE = ("hardware", "target", "source_platform", "from", "console_wait_ms")
 _RANK = ("ranker",)
 
 
@@ -162,6 +164,7 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
         console_wait_ms=_wait(path, migrate, text),
+        source_board=migrate.get("from"),
         ranker=rank.get("ranker"),
         libraries=_table(path, data, "libraries", text),
         bind=_bind(path, data, text),
@@ -386,7 +389,7 @@ def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  
     return merged
 
 
-_OPEN = ("readers", "targets")
+_OPEN = ("readers", "source_platforms", "targets")
 """Tables of the defaults whose keys are names of one's own: endings, and targets."""
 
 

@@ -94,6 +94,7 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
         "flows": ("programs", "", "macros"),
         "constants": ("flows", "programs", "", "macros"),
         "ports": ("flows", "", "macros"),
+        "portability": ("", "macros"),
         "plans": ("ports", "circuits", ""),
         "resources": ("plans", "constants", "flows", "programs", "", "macros"),
         "reports": ("resources", "plans", "ports", "flows", "programs", ""),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from msgspec import Struct
+from msgspec import Struct, structs
 
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
@@ -16,7 +16,8 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
 from robosmi.project import default_text, project_of
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.stages.reading import check_source_platform, read_program
+from robosmi.transformations.chains.source_board import SourceBoard, bundled_library, find_source_board, places_of
+from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files, read_program
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
 from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT, read_side
@@ -49,38 +50,67 @@ class Analysis(Struct, frozen=True):
                 adapter = call.get("adapter")
                 of = f"with your adapter ({os.path.relpath(adapter)})" if adapter else "unknown"
                 lines.append(f"  {of}: {call['name']} ({call['count']} calls)")
+        return [*lines, *self._portability()]
+
+    def _portability(self) -> list[str]:
+        """The places that may behave differently on the target, by kind."""
+        if (places := self.result.get("portability")) is None:
+            return []
+        by_kind: dict[str, list[dict[str, Any]]] = {}
+        for place in places:
+            by_kind.setdefault(place["kind"], []).append(place)
+        lines = [f"{len(places)} places may behave differently on the target" + (":" if places else "")]
+        for kind, found in sorted(by_kind.items(), key=lambda item: -len(item[1])):
+            lines.append(f"  {kind}: {len(found)}")
+            for place in found:
+                lines.append(f"    {os.path.relpath(place['path'])}:{place['line']}: {place['what']}")
+        for library in self.result["bundled_libraries"]:
+            lines.append(
+                f"  {os.path.relpath(library)}: a library in the sketch that uses such things; its places are not listed"
+            )
         return lines
 
 
 def analysis_chain() -> Chain:
     """The steps from source files to the value `analysis`; each can be replaced by its name (`Chain.replace`)."""
     chain = Chain(None, "analyse")
-    chain.given("paths", "source_platform", "include_dirs", "defines")
+    chain.given("paths", "source_platform", "include_dirs", "defines", "source_board", "target")
     chain.call(source_api, makes="api", step="look up the source platform")
+    chain.call(board_of_source, makes="board", step="look up the source board")
     chain.call(read_program_and_findings, makes="read", step="read the program")
     chain.call(analysed, makes="analysis", step="analyse the program")
     return chain
 
 
-def source_api(source_platform: str | None) -> ApiIndex:
+def source_api(source_platform: str | None, paths: Sequence[Path]) -> ApiIndex:
     """The API of the platform that the program was written for.
 
     Raises:
         UsageError: there is no such platform.
     """
-    name = source_platform or default_text("migrate", "source_platform")
+    name = source_platform or platform_of_files(paths)
     check_source_platform(name)
     return ApiIndex.load(name)
 
 
+def board_of_source(paths: Sequence[Path], api: ApiIndex, source_board: str | None, target: str | None) -> SourceBoard | None:
+    """The board that the program runs on today; None on a platform that does not tell its boards apart.
+
+    Raises:
+        UsageError: there is no such board.
+    """
+    return find_source_board(paths, api, source_board, target)
+
+
 def read_program_and_findings(
-    paths: Sequence[Path], api: ApiIndex, include_dirs: Sequence[Path], defines: Sequence[str]
+    paths: Sequence[Path], api: ApiIndex, include_dirs: Sequence[Path], defines: Sequence[str], board: SourceBoard | None
 ) -> tuple[ccode.Program, list[Finding]]:
     """The code model and its reader's findings; a project file of SimpleIDE is replaced by the files that it lists.
 
     Raises:
         SourceError: a file cannot be read as a program.
     """
+    defines = [*(board.defines if board is not None else ()), *defines]
     if len(paths) == 1 and paths[0].suffix == PROJECT:
         side = read_side(str(paths[0]), sourced=True)
         folders, macros = [*include_dirs, *(Path(each) for each in side.include_dirs)], [*defines, *side.defines]
@@ -89,7 +119,13 @@ def read_program_and_findings(
     return read_program(paths, api.name, include_dirs, defines)
 
 
-def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex, paths: Sequence[Path]) -> Analysis:
+def analysed(
+    read: tuple[ccode.Program, list[Finding]],
+    api: ApiIndex,
+    paths: Sequence[Path],
+    board: SourceBoard | None,
+    target: str | None,
+) -> Analysis:
     """Determine what the program uses of its platform, and which adapters of one's own there are for what nobody else knows.
 
     Raises:
@@ -97,6 +133,14 @@ def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex, paths: Se
     """
     program, findings = read
     result = analysis(program, findings, api)
+    if board is not None:
+        findings = [*board.findings, *findings]
+        result["board"] = board.name
+    if target is not None:
+        places = places_of(program, api, board, target)
+        bundled = {place.path: library for place in places if (library := bundled_library(place.path, api)) is not None}
+        result["portability"] = [structs.asdict(place) for place in places if place.path not in bundled]
+        result["bundled_libraries"] = sorted(set(bundled.values()))
     if any(finding.rule in UNKNOWN for finding in findings):
         from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, still_unknown  # most programs are known
         from robosmi.transformations.knowledge.platforms.target_platform import target_facts
@@ -117,6 +161,8 @@ def analyse(
     source_platform: str | None = None,
     include_dirs: Sequence[Path] = (),
     defines: Sequence[str] = (),
+    source_board: str | None = None,
+    target: str | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> Analysis:
@@ -127,6 +173,8 @@ def analyse(
         source_platform: name of the platform it was written for; that of the defaults if None.
         include_dirs: folders with headers.
         defines: macros defined from outside.
+        source_board: the board that it runs on today; if None that of its drawing, else the platform's usual one.
+        target: a target; the result lists places that may behave differently there. None for no such list.
         progress: told of each step.
         chain: steps of one's own, which make `analysis`; `analysis_chain()` if None.
 
@@ -135,7 +183,13 @@ def analyse(
         UsageError: there is no such platform.
     """
     run = (chain or analysis_chain()).start(
-        progress=progress, paths=paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines
+        progress=progress,
+        paths=paths,
+        source_platform=source_platform,
+        include_dirs=include_dirs,
+        defines=defines,
+        source_board=source_board,
+        target=target,
     )
     with project_of_input(paths[0]), read_once():
         return run.value("analysis", Analysis)

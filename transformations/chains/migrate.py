@@ -16,7 +16,7 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import UsageError
+from robosmi.errors import SourceError, UsageError
 from robosmi.files.commit import again_when_changed
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
@@ -37,7 +37,7 @@ from robosmi.transformations.chains.stages.output import Generated, produce, rem
 from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
 from robosmi.transformations.chains.stages.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.stages.program import ProgramFiles, StoredProgram, program_files, stored_program
-from robosmi.transformations.chains.stages.reading import check_source_platform
+from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files
 from robosmi.transformations.chains.stages.sources import remember_sources
 from robosmi.transformations.chains.stages.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
@@ -103,15 +103,22 @@ def settings(files: Sequence[str | Path], project: Project | None) -> Project:
     return project if project is not None else project_of(Path(files[0]))
 
 
-def source_api(source_platform: str | None, settings: Project, target: TargetFacts) -> ApiIndex:
+def source_api(files: Sequence[Path], source_platform: str | None, settings: Project, target: TargetFacts) -> ApiIndex:
     """What is known of the platform that the program was written for, with the pins that adapters of the target declare.
 
     Raises:
         UsageError: there is no such platform.
+        SourceError: it is a platform whose programs are sketches, which cannot be moved yet.
     """
-    name = source_platform or settings.source_platform or default_text("migrate", "source_platform")
+    name = source_platform or settings.source_platform or platform_of_files([Path(file) for file in files])
     check_source_platform(name)
     api = ApiIndex.load(name)
+    if api.sketch is not None:
+        raise SourceError(
+            f"migrate cannot move programs of '{name}' yet",
+            location=Location(str(files[0])),
+            fix=f"run robosmi analyse {files[0]} --target {target.target}: it lists the places that may behave differently there",
+        )
     return api.adapted(AdapterPins(adapter_files_of(settings, target, api)))
 
 

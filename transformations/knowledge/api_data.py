@@ -8,6 +8,22 @@ from __future__ import annotations
 from typing import Required, TypedDict
 
 
+class SketchSettings(TypedDict):
+    """`[parser.sketch]`: programs whose main files are one text, joined by the platform's tools.
+
+    Attributes:
+        endings: of the files that are joined.
+        include: the header that the tools include before the text.
+        sources: the folder beside them whose sources belong to the program, too.
+        board: the board of a program of which nobody says it.
+    """
+
+    endings: list[str]
+    include: str
+    sources: str
+    board: str
+
+
 class ParserSettings(TypedDict, total=False):
     """`[parser]`: how programs are parsed."""
 
@@ -17,6 +33,7 @@ class ParserSettings(TypedDict, total=False):
     predefined: list[str]
     attribute_macros: list[str]
     builtins: dict[str, str]
+    sketch: SketchSettings
 
 
 class BoardPort(TypedDict):

@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.macros.tokens import names_in
 from robosmi.transformations.queries.names import name_or_text
-from robosmi.transformations.queries.own_headers import all_includes
+from robosmi.transformations.queries.own_headers import all_includes, includes_of_units
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Values
 
@@ -94,13 +94,16 @@ class CodeView:
         unit: the unit.
         program: its program.
         api: the source platform's API.
+        includes: the headers that it includes, where they are known already.
     """
 
-    def __init__(self, unit: ccode.SourceUnit, program: ccode.Program, api: ApiIndex) -> None:
+    def __init__(
+        self, unit: ccode.SourceUnit, program: ccode.Program, api: ApiIndex, includes: tuple[str, ...] | None = None
+    ) -> None:
         self.unit = unit
         self.program = program
         self.api = api
-        self.includes = all_includes(unit)
+        self.includes = all_includes(unit) if includes is None else includes
         self.elements: list[Element] = list(all_contents(unit))
         self.calls: list[ccode.Call] = _distinct(e for e in self.elements if isinstance(e, ccode.Call) and not e.viaMacro)
         self.own_macros: dict[str, ccode.Macro] = {str(m.name): m for m in unit.macros}
@@ -263,7 +266,8 @@ class CodeView:
 
 def views(program: ccode.Program, api: ApiIndex) -> list[CodeView]:
     """A view for each unit of a program."""
-    return [CodeView(unit, program, api) for unit in program.units]
+    includes = includes_of_units(program)
+    return [CodeView(unit, program, api, includes[id(unit)]) for unit in program.units]
 
 
 def platform_agnostic_libraries(program: ccode.Program, api: ApiIndex) -> Q[ccode.Include]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
@@ -50,14 +50,31 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
     return tuple(dict.fromkeys(str(include.header) for include, _ in _met([unit, *around])))
 
 
-def _met(units: Iterable[ccode.SourceUnit]) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:
+def includes_of_units(program: ccode.Program) -> dict[int, tuple[str, ...]]:
+    """What `all_includes` gives for each unit of a program, by the unit's `id`; each include is looked up once."""
+    meant = {id(include): _meant_header(include) for unit in program.units for include in unit.includes}
+    including: dict[int, list[ccode.SourceUnit]] = {}
+    for unit in program.units:
+        for _, header in _met([unit], meant):
+            if header is not None:
+                including.setdefault(id(header), []).append(unit)
+    found: dict[int, tuple[str, ...]] = {}
+    for unit in program.units:
+        around = including.get(id(unit), []) if is_header(unit) else []
+        found[id(unit)] = tuple(dict.fromkeys(str(include.header) for include, _ in _met([unit, *around], meant)))
+    return found
+
+
+def _met(
+    units: Iterable[ccode.SourceUnit], meant: Mapping[int, ccode.SourceUnit | None] | None = None
+) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:
     """The includes of units in preprocessing order, each with the own header that it includes first, or None."""
     seen: set[int] = set()
     for unit in units:
         pending = list(reversed(unit.includes))
         while pending:
             include = pending.pop()
-            header = _meant_header(include)
+            header = _meant_header(include) if meant is None else meant[id(include)]
             first = header if header is not None and id(header) not in seen else None
             if first is not None:
                 seen.add(id(first))

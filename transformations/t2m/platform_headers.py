@@ -117,7 +117,7 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
                 found.skipped[str(path)] = f"another header has the same name: {found.paths[name]}"
                 continue
             try:
-                unit, _ = read_unit(path, api, folders, defines)
+                unit, _ = read_unit(path, api, folders, defines, api.settings.get("language") == "C++")
             except SourceError as error:
                 found.skipped[str(path)] = error.message
                 continue

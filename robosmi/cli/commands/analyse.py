@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     add_source_options(parser)
+    parser.add_argument("--target", metavar="NAME", help="also list the places that may behave differently on this board")
+    parser.add_argument("--from", dest="source_board", metavar="NAME", help="board that the program runs on today")
     parser.add_argument("-o", dest="output", metavar="code.xmi", type=Path, help="store the code model as XMI")
 
 
@@ -30,6 +32,8 @@ class _Arguments(argparse.Namespace):
     source_platform: str | None
     include_dirs: list[Path]
     defines: list[str]
+    target: str | None
+    source_board: str | None
     output: Path | None
 
 
@@ -43,6 +47,8 @@ def run(arguments: _Arguments) -> Report:
             source_platform=arguments.source_platform or project.source_platform,
             include_dirs=arguments.include_dirs,
             defines=arguments.defines,
+            source_board=arguments.source_board or project.source_board,
+            target=arguments.target,
             progress=told,
         )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()

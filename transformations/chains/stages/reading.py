@@ -13,6 +13,7 @@ from robosmi import resources
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.plugin_contracts import ContentFunction, wrong_result
+from robosmi.project import default_text, defaults
 from robosmi.transformations.chains.stages.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
@@ -64,6 +65,15 @@ def check_source_platform(name: str) -> None:
         raise UsageError(
             f"unknown source platform '{name}'{did_you_mean(name, platforms)}", fix=f"use one of: {', '.join(platforms)}"
         )
+
+
+def platform_of_files(paths: Sequence[Path]) -> str:
+    """The source platform of a program by its files' endings, those directly in a folder included, else the default one."""
+    settings = defaults()
+    names = (name for path in paths for name in ([entry.name for entry in path.iterdir()] if path.is_dir() else [path.name]))
+    endings = {os.path.splitext(name)[1].lower() for name in names}
+    found = next((str(name) for ending, name in settings.get("source_platforms", {}).items() if ending in endings), None)
+    return found or default_text("migrate", "source_platform")
 
 
 def source_platforms() -> list[str]:

@@ -13,7 +13,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Protocol
 
 from robosmi.metamodels import platform as pf
-from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings
+from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings, SketchSettings
 from robosmi.transformations.knowledge.api_facts import (
     COMPILER,
     DIRECTIONS,
@@ -99,6 +99,11 @@ class ApiIndex:
     def settings(self) -> PlatformSettings:
         """The platform's settings: widths of types, how programs are parsed."""
         return self._facts.settings
+
+    @property
+    def sketch(self) -> SketchSettings | None:
+        """Which files the platform's tools join to one text; None if they join none."""
+        return self.settings["parser"].get("sketch")
 
     @property
     def ports(self) -> int:

@@ -20,6 +20,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.construct import connect
 from robosmi.project import default_text
+from robosmi.transformations.knowledge.api_data import SketchSettings
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import coverage, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import UnitContext
@@ -28,6 +29,9 @@ from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import checks
 from robosmi.transformations.t2m.c_source.parsing.headers import guarded
 from robosmi.transformations.t2m.c_source.parsing.included_before import included_before
+from robosmi.transformations.t2m.c_source.parsing.invocation import HEADERS as VIRTUAL_HEADERS
+from robosmi.transformations.t2m.c_source.parsing.joined_tabs import NOT_JOINED, joined_text
+from robosmi.transformations.t2m.c_source.parsing.sketch import HEADERS
 from robosmi.transformations.t2m.c_source.parsing.source import read_source
 from robosmi.transformations.t2m.c_source.parsing.sources import Compiled, is_cplusplus_program, source_files
 from robosmi.transformations.t2m.c_source.parsing.translation_unit import parse
@@ -71,7 +75,7 @@ def read_program(
     api = ApiIndex.load(platform or default_text("migrate", "source_platform"))
     folders = [os.fspath(d) for d in include_dirs]
     contexts: list[UnitContext] = []
-    files = source_files(given, folders, defines)
+    files = source_files(given, folders, defines, api.sketch)
     if len(files) > MOST_FILES:
         raise SourceError(
             f"the program has {len(files)} source files, but the limit for one program is {MOST_FILES}",
@@ -108,8 +112,10 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
     cplusplus = is_cplusplus_program(files)
     for file in files:
         try:
-            units.append(_unit(file.path, api, file.include_dirs, file.defines, contexts, cplusplus=cplusplus))
-            _again_behind_others(file, api, contexts, units, cplusplus)
+            before = preincluded(file, files, api.sketch)
+            units.append(_unit(file.path, api, file.include_dirs, file.defines, contexts, before, cplusplus, file.tabs))
+            if not file.tabs:
+                _again_behind_others(file, api, contexts, units, cplusplus, before)
         except SourceError as error:
             if file.given or (file is files[-1] and not units):
                 raise
@@ -120,15 +126,33 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
     return units, left_out
 
 
+def preincluded(file: Compiled, files: Sequence[Compiled], sketch: SketchSettings | None) -> list[str]:
+    """The header that the platform's tools include before a file: before a tab of a sketch, and so before a header of one.
+
+    Args:
+        file: the file.
+        files: all of the program.
+        sketch: the platform's settings for sketches.
+    """
+    joined = file.tabs or (file.path.lower().endswith(HEADERS) and any(each.tabs for each in files))
+    return [f"{VIRTUAL_HEADERS}/{sketch['include']}"] if sketch is not None and joined else []
+
+
 def _again_behind_others(
-    file: Compiled, api: ApiIndex, contexts: list[UnitContext], units: list[ccode.SourceUnit], cplusplus: bool
+    file: Compiled,
+    api: ApiIndex,
+    contexts: list[UnitContext],
+    units: list[ccode.SourceUnit],
+    cplusplus: bool,
+    first: Sequence[str],
 ) -> None:
     """Parse the last file again after the headers that are included before it, if less of its text is lost that way."""
     lost = _lost(contexts[-1])
-    before = included_before(file.path, units[:-1]) if lost else []
+    before = included_before(str(file.path), units[:-1]) if lost else []
     if not before:
         return
     others: list[UnitContext] = []
+    before = [*first, *before]
     unit = _unit(file.path, api, file.include_dirs, file.defines, others, before, cplusplus)
     if _lost(others[-1]) < lost:
         units[-1], contexts[-1], others[-1] = unit, others[-1], contexts[-1]
@@ -147,9 +171,16 @@ def _close(contexts: Iterable[UnitContext]) -> None:
 
 
 def read_unit(
-    path: PathLike, api: ApiIndex, include_dirs: Sequence[PathLike] = (), defines: Sequence[str] = ()
+    path: PathLike, api: ApiIndex, include_dirs: Sequence[PathLike] = (), defines: Sequence[str] = (), cplusplus: bool = False
 ) -> tuple[ccode.SourceUnit, list[Finding]]:
     """Read one file by itself, a header for example: what it declares, without links to what it uses from elsewhere.
+
+    Args:
+        path: the file.
+        api: the platform it is for.
+        include_dirs: folders with headers.
+        defines: macros from outside.
+        cplusplus: whether a header whose name fits both languages is C++.
 
     Raises:
         SourceError: the file cannot be read or is no C.
@@ -157,7 +188,7 @@ def read_unit(
     """
     contexts: list[UnitContext] = []
     try:
-        unit = _unit(path, api, [os.fspath(d) for d in include_dirs], defines, contexts)
+        unit = _unit(path, api, [os.fspath(d) for d in include_dirs], defines, contexts, cplusplus=cplusplus)
     finally:
         _close(contexts)
     return unit, [finding for context in contexts for finding in context.findings]
@@ -171,9 +202,11 @@ def _unit(
     contexts: list[UnitContext],
     before: Sequence[str] = (),
     cplusplus: bool = False,
+    tabs: Sequence[str] = (),
 ) -> ccode.SourceUnit:
     source = read_source(path, cplusplus)
-    parsed = parse(source, api, folders, defines, before)
+    joined = joined_text(source, [source if tab == source.path else read_source(tab) for tab in tabs]) if tabs else NOT_JOINED
+    parsed = parse(source, api, folders, defines, [*before, *joined.before], joined)
     if parsed is None:
         raise SourceError(
             "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"

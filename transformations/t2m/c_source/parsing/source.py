@@ -25,7 +25,7 @@ _LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000
 _TEXTS = frozenset(["comment", "string", "char"])  # they may hold any byte; elsewhere compilers read NUL as a blank
 _STRAY = re.compile(rb"[\x01-\x08\x0e-\x1f\x7f]")
-CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
+CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".pde", ".C")
 _SPLIT = "give the program's own source files, without generated data"
 
 

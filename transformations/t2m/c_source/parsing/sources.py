@@ -16,10 +16,12 @@ from robosmi import inputs
 from robosmi.base.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
+from robosmi.transformations.knowledge.api_data import SketchSettings
 from robosmi.transformations.queries.source_text import HEADERS
+from robosmi.transformations.t2m.c_source.parsing.sketch import Sketch, is_tab, sketch_of
 from robosmi.transformations.t2m.c_source.parsing.source import is_cplusplus
 
-ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".C")
+ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".pde", ".C")
 COMMANDS = "compile_commands.json"
 MOST_FILES = 5000
 _BUILD_FOLDERS = frozenset(["build", "cmake-build-debug", "node_modules", "__pycache__"])
@@ -28,19 +30,24 @@ _BUILD_FOLDERS = frozenset(["build", "cmake-build-debug", "node_modules", "__pyc
 class Compiled(Struct, frozen=True):
     """A source file with the include folders and macros that it is compiled with; those given for all files come last.
 
-    `given` is true for a file that was named itself, false for one that was found in a folder or in compile commands.
+    `given` is true for a file that was named itself, false for one that was found in a folder or in compile commands. `tabs` are
+    the files that are one text, for those of a sketch.
     """
 
     path: str
     include_dirs: tuple[str, ...]
     defines: tuple[str, ...]
     given: bool = False
+    tabs: tuple[str, ...] = ()
 
 
 def source_files(
-    paths: Iterable[str | os.PathLike[str]], include_dirs: Sequence[str] = (), defines: Sequence[str] = ()
+    paths: Iterable[str | os.PathLike[str]],
+    include_dirs: Sequence[str] = (),
+    defines: Sequence[str] = (),
+    sketch: SketchSettings | None = None,
 ) -> list[Compiled]:
-    """The files of a program, each once, in the order given; those of a folder sorted.
+    """The files of a program, each once, in the order given; those of a folder sorted, those of a sketch behind its tabs.
 
     Raises:
         SourceError: a folder holds no sources, or the compile commands cannot be read.
@@ -53,6 +60,8 @@ def source_files(
             path = os.path.join(path, COMMANDS)
         if os.path.basename(path) == COMMANDS and os.path.isfile(path):
             files = _of_commands(path, include_dirs, defines)
+        elif sketch is not None and (tab := _tab(path, sketch)) is not None:
+            files = _of_sketch(sketch_of(tab, sketch), path, include_dirs, defines)
         elif os.path.isdir(path):
             files = [Compiled(name, tuple(include_dirs), tuple(defines)) for name in _of_folder(path)]
         else:
@@ -66,9 +75,26 @@ def source_files(
 
 
 def is_cplusplus_program(files: Sequence[Compiled]) -> bool:
-    """Whether a program has C++ sources and none in C, so that its headers are C++."""
+    """Whether a program is a sketch, or has C++ sources and none in C, so that its headers are C++."""
     sources = [file.path for file in files if not file.path.lower().endswith(HEADERS)]
+    if any(file.tabs for file in files):  # which include the headers
+        return True
     return any(map(is_cplusplus, sources)) and all(map(is_cplusplus, sources))
+
+
+def _tab(path: str, sketch: SketchSettings) -> str | None:
+    """The tab that a path names, or the first one directly in a folder; None if there is none."""
+    if not os.path.isdir(path):
+        return path if is_tab(path, sketch) else None
+    return next((os.path.join(path, name) for name in sorted(os.listdir(path)) if is_tab(name, sketch)), None)
+
+
+def _of_sketch(sketch: Sketch, given: str, include_dirs: Sequence[str], defines: Sequence[str]) -> list[Compiled]:
+    tabs = set(sketch.tabs)
+    return [
+        Compiled(path, tuple(include_dirs), tuple(defines), path == given, sketch.tabs if path in tabs else ())
+        for path in sketch.files
+    ]
 
 
 def _of_folder(folder: str) -> list[str]:

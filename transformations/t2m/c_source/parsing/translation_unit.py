@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 
 from msgspec import Struct
@@ -45,6 +45,7 @@ from robosmi.transformations.t2m.c_source.parsing.invocation import (
     standard_headers,
     unsaved,
 )
+from robosmi.transformations.t2m.c_source.parsing.joined_tabs import NOT_JOINED, Joined
 from robosmi.transformations.t2m.c_source.parsing.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.parsing.prelude import Prelude
 from robosmi.transformations.t2m.c_source.parsing.source import ReadSource
@@ -111,16 +112,30 @@ class Parsed(Struct):
 
 
 def parse(
-    source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str], before: Sequence[str] = ()
+    source: ReadSource,
+    api: ApiIndex,
+    include_dirs: Sequence[str],
+    defines: Sequence[str],
+    before: Sequence[str] = (),
+    joined: Joined = NOT_JOINED,
 ) -> Parsed | None:
-    """Parse a text, again with declarations of what it does not declare; None if libclang gave up."""
-    return _parse(source, api, Call(source, api, include_dirs, defines, before))
+    """Parse a text, again with declarations of what it does not declare; None if libclang gave up.
+
+    Args:
+        source: the text.
+        api: the platform it was written for.
+        include_dirs: folders with headers.
+        defines: macros as on a command line.
+        before: paths of files that stand before the text.
+        joined: what the platform's tools add to the text; the result has nothing of it.
+    """
+    return _parse(source, api, Call(source, api, include_dirs, defines, before, joined.before), joined.added)
 
 
-def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
+def _parse(source: ReadSource, api: ApiIndex, call: Call, added: Sequence[Replacement]) -> Parsed | None:
     first: list[Diagnostic] = []
     taken_out = [*cuts(source.path, source.parsed, source.tokens), *call.own_includes()]
-    attempt = _Attempt(source, taken_out)
+    attempt = _Attempt(source, [*taken_out, *added])
     prelude = _prelude(source, api)
     number = 0
     while True:
@@ -133,7 +148,7 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
         diagnostics = _diagnostics(unit, reader)
         if (doubt := _doubt(diagnostics)) and call.leave(outdated=any(d.offset < 0 and d.severity >= clang.FATAL for d in doubt)):
             clang.library().disposeTranslationUnit(unit)
-            return _parse(source, api, call)
+            return _parse(source, api, call, added)
         if number == 1:
             first = list(diagnostics)
         else:  # a type that only comes to light when the text is mended is as unknown
@@ -144,7 +159,8 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
         elif not attempt.next(diagnostics):
             break
         clang.library().disposeTranslationUnit(unit)
-    nodes = reader.read()
+    places = {edit.start for edit in added}
+    nodes = [node for node in reader.read() if not (node.start == node.end and node.start in places)]
     reader.cut[:0] = [(e.start, e.end) for e in taken_out]
     return Parsed(
         source,
@@ -296,6 +312,7 @@ class Call:
         include_dirs: folders with headers.
         defines: macros as on a command line, `NAME` or `NAME=VALUE`.
         before: paths of headers that stand before the text in the file that includes it.
+        texts: path of one of them -> its text, where it is another than the file's.
 
     Attributes:
         path: absolute path of the text.
@@ -309,9 +326,10 @@ class Call:
         include_dirs: Sequence[str],
         defines: Sequence[str],
         before: Sequence[str] = (),
+        texts: Mapping[str, bytes] = NOT_JOINED.before,
     ) -> None:
         self.path = os.path.abspath(source.path)
-        self._source, self._api = source, api
+        self._source, self._api, self._texts = source, api, texts
         self._given = arguments(api, source.language, include_dirs, defines)
         self._predefined = predefined(api)
         for header in before:
@@ -393,7 +411,7 @@ class Call:
             if start is not None and not included(text[start.end :]) and b"va_arg" not in text:
                 headers = {name: headers[name] for name in start.standard()}
             real = [(header.path, header.text) for header in self._headers().headers if header.text is not None]
-            self._files = unsaved(headers, real)
+            self._files = unsaved(headers, [*real, *self._texts.items()])
         return self._files
 
     def _own_macros(self) -> frozenset[str]:

@@ -1,0 +1,8 @@
+const int LED = 7;
+
+String name() { return String("lamp"); }
+
+void blink(int pin) {
+  digitalWrite(pin, HIGH);
+  report(1);
+}

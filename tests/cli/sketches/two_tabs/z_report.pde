@@ -1,0 +1,1 @@
+void report(unsigned int value) { Serial.println(value + LED); }

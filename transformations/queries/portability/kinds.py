@@ -1,0 +1,292 @@
+"""The rules that find the places of a kind, one function each.
+
+A rule gives a line and what stands there. Kinds without a rule of their own are found by `named`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from fnmatch import fnmatchcase
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.platforms.portability_facts import Chip, Kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.portability.pin_origins import Origin
+from robosmi.transformations.queries.portability.seen_program import At, SeenProgram
+
+Found = Iterator[tuple[At, str]]
+Rule = Callable[[Kind, SeenProgram], Found]
+_BYTES = frozenset(["char", "signed char", "unsigned char", "bool", "int8_t", "uint8_t", "byte", "boolean"])
+_INTS = frozenset(["int", "signed int", "signed", "unsigned int", "unsigned", "word", "size_t"])
+_WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_VECTOR = re.compile(r"\(\s*(\w+)")
+_WITHOUT_BITS = re.compile(r"(PORT|PIN|DDR)([A-L])")
+_PIN_WORDS = frozenset(["pin", "pins"])
+
+
+def named(kind: Kind, seen: SeenProgram) -> Found:
+    """Uses of names, includes of headers, and declarations with types."""
+    for number, view in enumerate(seen.views):
+        for include in view.unit.includes:
+            if _matches(str(include.header), kind.headers) and not _matches(str(include.header), kind.not_headers):
+                yield At(view.unit, int(include.line)), str(include.header)
+        for use in seen.names[number] if kind.names else ():
+            if _matches(use.name, kind.names):
+                yield At(view.unit, use.line), use.name
+        for type_use in view.of_kind(ccode.TypeUse) if kind.types else ():
+            holder = ancestor_of_kind(type_use, ccode.Located)
+            object_ = not {"*", "&"}.intersection(str(type_use.spelling)) and not type_use.pointerDepth
+            if holder is not None and object_ and kind_of_type(type_use) in kind.types:
+                yield At(view.unit, int(holder.line)), kind_of_type(type_use)
+
+
+def kind_of_type(use: ccode.TypeUse) -> str:
+    """The name of a type without qualifiers, pointers and references."""
+    words = str(use.spelling).replace("*", " ").replace("&", " ").split()
+    return " ".join(word for word in words if word not in ("const", "volatile", "struct", "class"))
+
+
+def _matches(name: str, patterns: tuple[str, ...]) -> bool:
+    return any(fnmatchcase(name, pattern) for pattern in patterns)
+
+
+def registers(kind: Kind, seen: SeenProgram) -> Found:
+    """Registers that the other microcontroller lacks, or has for other pins."""
+    names = frozenset(seen.facts.registers.get(kind.registers, ()))
+    there = seen.facts.microcontrollers.get(seen.move.target.chip, Chip()).registers
+    for number, view in enumerate(seen.views):
+        for use in seen.names[number]:
+            if use.name in names and not (use.name in there and _same_pins(use.name, seen)):
+                yield At(view.unit, use.line), use.name
+
+
+def _same_pins(register: str, seen: SeenProgram) -> bool:
+    """Whether a register of a port has the same pins at its bits on both boards; true for all other registers."""
+    match = _WITHOUT_BITS.fullmatch(register)
+    if match is None:
+        return True
+    prefix = f"P{match[2]}"
+    return _pins(prefix, seen.move.source.ports) == _pins(prefix, seen.move.target.ports)
+
+
+def _pins(prefix: str, ports: Mapping[str, str]) -> dict[str, str]:
+    return {port: label for port, label in ports.items() if port.startswith(prefix)}
+
+
+def interrupt_vectors(kind: Kind, seen: SeenProgram) -> Found:
+    """Interrupt functions for vectors that the other microcontroller lacks."""
+    there = seen.facts.microcontrollers.get(seen.move.target.chip, Chip()).vectors
+    for number, view in enumerate(seen.views):
+        for use in seen.names[number]:
+            vector = _VECTOR.search(use.text)
+            if _matches(use.name, kind.names) and not (vector is not None and vector[1] in there):
+                yield At(view.unit, use.line), vector[1] if vector is not None else use.name
+
+
+def board_conditions(kind: Kind, seen: SeenProgram) -> Found:
+    """Conditional directives that ask for a board or processor."""
+    for view in seen.views:
+        for each in view.unit.conditionals:
+            name = next((word for word in re.findall(r"\w+", str(each.condition or "")) if _matches(word, kind.conditions)), "")
+            if name:
+                yield At(view.unit, int(each.line)), name
+
+
+def sizes_of_int(kind: Kind, seen: SeenProgram) -> Found:
+    """`sizeof(int)`, where int has another width."""
+    if seen.move.source.int_bits == seen.move.target.int_bits:
+        return
+    for view in seen.views:
+        for size in view.of_kind(ccode.SizeOf):
+            spelling = str(size.measured.spelling) if size.measured is not None else ""
+            if " ".join(spelling.split()) in _INTS:
+                yield At(view.unit, int(size.line)), f"sizeof({spelling})"
+
+
+def bytes_of_objects(kind: Kind, seen: SeenProgram) -> Found:
+    """Objects that are copied, stored or sent as bytes, where their size or layout differs."""
+    if seen.move.source.architecture == seen.move.target.architecture:
+        return
+    for view in seen.views:
+        for call in view.of_kind(ccode.Call):
+            if any(map(_has_layout, _objects_of(call, kind))):
+                yield At(view.unit, int(call.line)), f"{call.calleeName}()"
+        for cast in view.of_kind(ccode.Cast):
+            target, inner = str(cast.target.spelling) if cast.target is not None else "", cast.operand
+            of_object = isinstance(inner, ccode.Unary) and inner.operator == "&"
+            if inner is not None and of_object and target.count("*") == 1 and _bytes(target) and _has_layout(inner):
+                yield At(view.unit, int(cast.line)), expression_text(inner)
+
+
+def _objects_of(call: ccode.Call, kind: Kind) -> list[ccode.Expression]:
+    """The arguments whose bytes a call copies, or moves from or to the EEPROM."""
+    arguments = list(call.arguments)
+    if str(call.calleeName) in kind.functions:
+        return arguments[:2]
+    return arguments[1:] if str(call.calleeName) in kind.stores and _on_eeprom(call) else []
+
+
+def _on_eeprom(call: ccode.Call) -> bool:
+    callee = call.calleeExpression
+    held = callee.object if isinstance(callee, ccode.Member) else None
+    return isinstance(held, ccode.NameReference) and held.name == "EEPROM"
+
+
+def _bytes(spelling: str) -> bool:
+    return " ".join(word for word in spelling.replace("*", " ").split() if word not in ("const", "volatile")) in _BYTES
+
+
+def _has_layout(argument: ccode.Expression) -> bool:
+    """Whether what an argument is, or points to, may have another size or layout; not so for bytes, and for what is not known."""
+    while isinstance(argument, (ccode.Cast, ccode.Unary)) and argument.operand is not None:
+        argument = argument.operand
+    while isinstance(argument, ccode.Index) and argument.array is not None:
+        argument = argument.array
+    target = argument.target if isinstance(argument, ccode.NameReference) else None
+    use = target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+    return use is not None and kind_of_type(use) not in _BYTES | {"void"} and "void" not in str(use.spelling).split()
+
+
+def times_in_int(kind: Kind, seen: SeenProgram) -> Found:
+    """A variable of 16 bits that takes milliseconds or microseconds."""
+    if seen.move.source.int_bits == seen.move.target.int_bits:
+        return
+    for view in seen.views:
+        declared: list[ccode.Variable | ccode.Field] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)]
+        for variable in declared:
+            if _in_int(variable.valueType) and _takes_time(variable.initializer, kind):
+                yield At(view.unit, int(variable.line)), str(variable.name)
+        for assignment in view.of_kind(ccode.Assignment):
+            target = assignment.left.target if isinstance(assignment.left, ccode.NameReference) else None
+            typed = target if isinstance(target, (ccode.Variable, ccode.Field, ccode.Parameter)) else None
+            takes = assignment.operator == "=" and _takes_time(assignment.right, kind)
+            if typed is not None and takes and _in_int(typed.valueType):
+                yield At(view.unit, int(assignment.line)), str(typed.name)
+
+
+def _in_int(use: ccode.TypeUse | None) -> bool:
+    """Whether a variable has the width of int, which differs; int16_t has not."""
+    return use is not None and kind_of_type(use) in _INTS and not use.arrayDims and not use.pointerDepth
+
+
+def _takes_time(value: ccode.Expression | None, kind: Kind) -> bool:
+    if isinstance(value, ccode.Binary):
+        return value.operator in ("+", "-") and (_takes_time(value.left, kind) != _takes_time(value.right, kind))
+    if isinstance(value, ccode.Cast):
+        return _takes_time(value.operand, kind)
+    return isinstance(value, ccode.Call) and str(value.calleeName) in kind.functions
+
+
+def interrupt_numbers(kind: Kind, seen: SeenProgram) -> Found:
+    """Numbers of interrupts that mean another pin on the other board."""
+    for view in seen.views:
+        converted = [int(use.startOffset) for use in view.unit.macroUses if str(use.name) in kind.converters]
+        for call in _calls(view, kind):
+            inside = any(int(call.startOffset) <= start < int(call.endOffset) for start in converted)
+            for value in () if inside else view.values.of(call.arguments[0]):
+                if value.number is not None and _other_interrupt(value.number, seen):
+                    yield At(view.unit, int(call.line)), str(value.number)
+
+
+def _calls(view: CodeView, kind: Kind) -> list[ccode.Call]:
+    found = [call for call in view.of_kind(ccode.Call) if str(call.calleeName) in kind.functions and call.arguments]
+    return [call for call in found if not isinstance(call.calleeExpression, ccode.Member)]
+
+
+def _other_interrupt(number: int, seen: SeenProgram) -> bool:
+    here, there = seen.move.source.interrupts.get(number), seen.move.target.interrupts.get(number)
+    return here is None or here != there
+
+
+def analog_numbers(kind: Kind, seen: SeenProgram) -> Found:
+    """Channels of the converter in the place of pins, where the other board takes them for pins."""
+    for view in seen.views:
+        for call in _calls(view, kind):
+            argument = call.arguments[0]
+            if isinstance(argument, ccode.IntegerLiteral) and _other_channel(int(argument.value), seen):
+                yield At(view.unit, int(call.line)), str(argument.value)
+
+
+def _other_channel(number: int, seen: SeenProgram) -> bool:
+    here, there = seen.move.source, seen.move.target
+    is_channel = f"A{number}" in here.aliases
+    return is_channel and here.architecture != there.architecture
+
+
+def pins_as_analog_numbers(kind: Kind, seen: SeenProgram) -> Found:
+    """Numbers that are those of analogue pins on the source board, and of other pins on the other board."""
+    here, there = seen.move.source.numbers, seen.move.target.numbers
+    analog = {number for number, label in here.items() if label.startswith("A") and there.get(number) != label}
+    yield from ((at, str(origin.number)) for at, origin in _pin_numbers(analog, seen))
+
+
+def analog_pins(kind: Kind, seen: SeenProgram) -> Found:
+    """Analogue pins that the other board does not have."""
+    return ((at, name) for at, name in named(kind, seen) if name not in seen.move.target.aliases)
+
+
+def pin_of_led(kind: Kind, seen: SeenProgram) -> Found:
+    """The number of the pin with the source board's LED, where the other board has it at another pin."""
+    here, there = seen.move.source, seen.move.target
+    numbers = {number for number, label in here.numbers.items() if label == here.led and there.numbers.get(number) != there.led}
+    for at, origin in _pin_numbers(numbers, seen):
+        parent = origin.at.eContainer()
+        direct = isinstance(parent, ccode.Call) and str(parent.calleeName) in kind.functions
+        if direct or _words_around(origin.at).intersection(kind.words):
+            yield at, str(origin.number)
+
+
+def _words_around(element: Element | None) -> set[str]:
+    """The words in the names of what has a number: the constant, member or macro, or the class that is made with it."""
+    while element is not None and not isinstance(element, (ccode.Statement, ccode.Function, ccode.SourceUnit)):
+        name = element.className if isinstance(element, ccode.ConstructorCall) else getattr(element, "name", "")
+        if isinstance(element, (ccode.Declaration, ccode.Macro, ccode.ConstructorCall)) and name:
+            return {word.lower() for word in _WORDS.findall(str(name))}
+        element = element.eContainer()
+    return set()
+
+
+def _pin_numbers(numbers: set[int], seen: SeenProgram) -> Iterator[tuple[At, Origin]]:
+    for origin in (*seen.pin_numbers, *_called_pins(seen)):
+        at = seen.at(origin.at) if origin.number in numbers else None
+        if at is not None:
+            yield at, origin
+
+
+def _called_pins(seen: SeenProgram) -> Iterator[Origin]:
+    """Constants that are called pins: what uses them may be a library that nobody knows."""
+    for view in seen.views:
+        for variable in view.of_kind(ccode.Variable):
+            if _is_pin(str(variable.name)) and isinstance(variable.initializer, ccode.IntegerLiteral):
+                yield Origin(int(variable.initializer.value), variable.initializer)
+        for macro in view.unit.macros:
+            body = str(macro.body or "").strip("() ")
+            if not macro.functionLike and _is_pin(str(macro.name)) and body.isdigit():
+                yield Origin(int(body), macro)
+
+
+def _is_pin(name: str) -> bool:
+    return any(word.lower() in _PIN_WORDS for word in _WORDS.findall(name))
+
+
+RULES: dict[str, Rule] = {
+    "port_register": registers,
+    "timer_register": registers,
+    "adc_register": registers,
+    "other_register": registers,
+    "isr_vector": interrupt_vectors,
+    "sizeof_int": sizes_of_int,
+    "bytes_of_object": bytes_of_objects,
+    "int_time": times_in_int,
+    "attach_interrupt_number": interrupt_numbers,
+    "analog_pin_number": analog_numbers,
+    "analog_pin_as_14_to_19": pins_as_analog_numbers,
+    "analog_pin_above_A3": analog_pins,
+    "pin_13": pin_of_led,
+    "board_macro": board_conditions,
+}
+"""Kind -> its rule."""
