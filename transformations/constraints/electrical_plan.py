@@ -17,6 +17,8 @@ from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
+from robosmi.transformations.queries.circuits.motors import SERVO, channel_of, pin_of
+from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
 from robosmi.validate import EVL, Fail
 
@@ -56,8 +58,10 @@ def plan_rules() -> frozenset[str]:
     return frozenset(constraint.id for constraint in _both.declared())
 
 
-SERVO, MOTOR_DRIVER = "servo", "motor driver"
-"""The kind of a port's component, and that of a part, as the repository's data call them."""
+ENCODER, FEEDBACK, MOTOR_DRIVER = "encoder", "feedback", "motor driver"
+"""Kinds of components at a port, and that of a part, as the repository's data call them."""
+MOTORS = "motors"
+"""The piece of the adapters that drives motors through the channels of motor drivers."""
 
 
 def of_plan(element: Element) -> migration.MigrationPlan | None:
@@ -157,20 +161,49 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
 @bindings.constraint(
     id="RS269",
     location=place,
-    advice="bind the port to the signal pin of a continuous servo, or write bodies that drive the motor driver's inputs",
+    advice="wire the channel to pins of the board as the message says, or bind the port to the signal pin of a continuous servo",
     guard=lambda b: b.role == SERVO,
 )
-def TakesPulsesOfAServo(b: migration.PortBinding) -> bool | Fail:
-    """A port that carries a servo's pulses is not on a motor driver, whose inputs take levels and PWM."""
-    plan, pin = of_plan(b), b.pin or (b.connection.pin if b.connection is not None else None)
+def DriverTurnsAMotor(b: migration.PortBinding) -> bool | Fail:
+    """A servo's port on a motor driver has a complete channel of its own, and functions that an adapter drives a motor for."""
+    plan, pin = of_plan(b), pin_of(b)
     assert plan is not None
     parts = [c.component for c in plan.connections if c.component is not None and c.pin is not None and c.pin is pin]
     driver = next((part for part in parts if wired(plan).facts(part).kind == MOTOR_DRIVER), None)
     if driver is None:
         return True
     where = pin.label if pin is not None else ""
-    what = f"the port '{b.name}' ({where}) carries a servo's pulses, but '{who(driver)}' there is a motor driver"
-    return fault(driver, f"{what}: the motor would not turn", pin=where)
+    why = _no_motor(plan, b, where)
+    return not why or fault(
+        driver, f"the port '{b.name}' ({where}) cannot turn a motor through '{who(driver)}': {why}", pin=where
+    )
+
+
+def _no_motor(plan: migration.MigrationPlan, b: migration.PortBinding, where: str) -> str:
+    """Why a port of a servo on a motor driver turns no motor; empty if it does."""
+    channel = channel_of(b, plan.motorChannels)
+    if channel is None:
+        return f"{where} is at no input for PWM or direction of a known motor driver"
+    if channel.missing:
+        return "; ".join(channel.missing)
+    if other := next((o for o in plan.portBindings if o is not b and channel_of(o, [channel]) is not None), None):
+        return f"the port '{other.name}' is on the same channel"
+    called = {str(call.calleeName) for call in port_calls(plan, b)}
+    for use in (use for use in plan.adapterUses if str(use.name) in called):
+        pieces = closure([use.adapter]) if use.adapter is not None else []
+        if use.function is not None and any(p.meaning is platform.Meaning.angle for p in use.function.parameters):
+            return f"{use.name} sets an angle, and a motor has none"
+        if any(_follows_an_angle(piece) for piece in pieces):
+            return f"{use.name} needs the angle that a servo reports, and a motor reports none"
+        if all(piece.name != MOTORS for piece in pieces):
+            return f"the target has no adapter that drives a motor for {use.name}"
+    return ""
+
+
+def _follows_an_angle(piece: platform.Adapter) -> bool:
+    """Whether a piece works with a servo that reports its angle."""
+    roles = {str(pin.componentRole) for pin in piece.pins}
+    return roles >= {SERVO, ENCODER} or any(port.componentRole == FEEDBACK for port in piece.ports)
 
 
 @bindings.critique(

@@ -19,6 +19,7 @@ from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
+from robosmi.transformations.queries.circuits.motors import pins_for_motors
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
@@ -340,6 +341,7 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
             )
     bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
     bound |= {id(b.answer.pin) for b in plan.portBindings if b.answer is not None}
+    bound |= {id(pin) for pin in pins_for_motors(plan)}
     for connection in plan.connections:
         component = connection.component
         if id(connection.pin) not in bound and component is not None and component.role is not hardware.Role.Unknown:
