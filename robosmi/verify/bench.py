@@ -332,7 +332,7 @@ class Device:
         """React to a change of how the program drives one of the device's pins."""
 
     def wave_changed(self, pin: str, hz: float, duty: float) -> None:
-        """React to another wave that a timer makes at one of the device's pins: frequency and duty cycle (0 to 1); 0 Hz ends it."""
+        """React to another wave of a timer at one of the device's pins: frequency and duty cycle (0 to 1); 0 Hz ends it."""
 
     def aimed(self, aim: str) -> None:
         """React to how the program drives the device from now on, one of `AIMS`; only models of libraries tell that."""

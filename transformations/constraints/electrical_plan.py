@@ -17,7 +17,7 @@ from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
-from robosmi.transformations.queries.circuits.motors import SERVO, channel_of, pin_of
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of, pin_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
 from robosmi.validate import EVL, Fail

@@ -19,9 +19,9 @@ from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.circuits.motors import pins_for_motors
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers

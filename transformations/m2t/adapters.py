@@ -16,7 +16,7 @@ from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2t.adapter_text import comment, declarations, includes, is_separated, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.circuits.motors import servo_pins
+from robosmi.transformations.queries.plans.motors import servo_pins
 from robosmi.transformations.queries.plans.plan import is_at_declaration, needs_own_types, target_of
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, port_literals

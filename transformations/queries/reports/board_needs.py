@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.board_models import load_board, mapped_boards
-from robosmi.transformations.queries.circuits.motors import pins_for_motors
+from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import platform_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, emitted
 from robosmi.transformations.queries.ports.idle_ports import is_idle

@@ -30,12 +30,12 @@ from robosmi.project import read_data
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.circuits.component_kinds import kinds_of
-from robosmi.transformations.queries.circuits.motors import SERVO, channel_of, servo_pins
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.place_names import named, names_within
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of, servo_pins
 from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import program_ports

@@ -14,9 +14,9 @@ class MotorWheel(Wheel):
     """The wheel.
 
     It turns forward while `first` is high and `second` is low, and backward the other way round. The PWM is at `enable`, or at
-    `first` and `second` if that is missing. Its speed is the duty cycle times the speed of a servo's wheel at pulses 200 us longer
-    than at a stand. With both directions alike, without PWM, and while `awake` is low it stands. Settings as of `Wheel`. It notes
-    each speed that lasts for 50 ms as `power`, in per cent of full power and negative backwards.
+    `first` and `second` if that is missing. Its speed is the duty cycle times the speed of a servo's wheel at pulses 200 us
+    longer than at a stand. With both directions alike, without PWM, and while `awake` is low it stands. Settings as of `Wheel`.
+    It notes each speed that lasts for 50 ms as `power`, in per cent of full power and negative backwards.
     """
 
     pin_names = ("first", "second")
