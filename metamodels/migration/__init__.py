@@ -571,6 +571,8 @@ class PortBinding(Decision):
     """The convention of an API, if it is one."""
     conventionalPort: ConventionalPort | None = EReference()
     """The pin of the adapter that uses the port by convention, if there is one."""
+    discharges: bool = EAttribute(eType=EBoolean)
+    """Whether functions measure there how long a capacitor takes to discharge."""
     mirrored: bool = EAttribute(eType=EBoolean)
     """Whether the servo there is mounted the other way round, so that a wheel moves the robot forward at less than 1500 us."""
     answer: Connection | None = EReference()
@@ -603,6 +605,7 @@ class PortBinding(Decision):
             role: str | None = None,
             convention: PinConvention | None = None,
             conventionalPort: ConventionalPort | None = None,
+            discharges: bool | None = None,
             mirrored: bool | None = None,
             answer: Connection | None = None,
             connection: Connection | None = None,

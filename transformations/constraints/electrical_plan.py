@@ -5,7 +5,7 @@ They apply to a plan with a drawing (rules RS260 to RS268). Constraints on the d
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import migration, platform
@@ -16,6 +16,7 @@ from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.finding_locations import drawing, fault, worst_first
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
+from robosmi.transformations.queries.circuits.component_kinds import is_positional
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of, pin_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
@@ -204,6 +205,90 @@ def _follows_an_angle(piece: platform.Adapter) -> bool:
     """Whether a piece works with a servo that reports its angle."""
     roles = {str(pin.componentRole) for pin in piece.pins}
     return roles >= {SERVO, ENCODER} or any(port.componentRole == FEEDBACK for port in piece.ports)
+
+
+@bindings.critique(
+    id="RS270",
+    location=place,
+    advice="add a capacitor from the pin to ground and take the divider's resistor out, or read the voltage with analogRead",
+    guard=lambda b: bool(b.discharges) and b.connection is not None,
+)
+def HasACapacitor(b: migration.PortBinding) -> bool | Fail:
+    """Where functions measure the discharge of a capacitor, the part at the pin gives no voltage of its own without one."""
+    plan, connection = of_plan(b), b.connection
+    assert plan is not None
+    assert connection is not None
+    component = connection.component
+    w = wired(plan)
+    nets = [end.net for end in (*connection.connectors, *connection.boardConnectors) if end.net is not None]
+    if component is None or any(_is_capacitor(owner) for net in nets for owner, _ in w.on(net)):
+        return True
+    if any(_is_capacitor(part) for part in connection.via) or not (
+        _gives_voltage(w, connection) or _is_divided(w, component, nets)
+    ):
+        return True
+    label = connection.pin.label if connection.pin is not None else ""
+    what = (
+        f"the port '{b.name}' ({label}) measures the discharge of a capacitor, but '{who(component)}' there is a voltage divider"
+    )
+    return fault(component, f"{what} without one", pin=label)
+
+
+def _is_capacitor(part: hardware.Component) -> bool:
+    return "capacitor" in f"{part.family} {part.partTitle} {part.title}".lower()
+
+
+def _gives_voltage(w: Wiring, connection: migration.Connection) -> bool:
+    """Whether a connector of a component is called the output of a voltage."""
+    return any(w.means(end, "analog") for end in connection.connectors)
+
+
+def _is_divided(w: Wiring, component: hardware.Component, nets: Sequence[hardware.Net]) -> bool:
+    """Whether a component of two terminals and a resistor join a pin to two different rails."""
+    own = {net for _, net in w.nets(component) if net.rail}
+    return len(component.connectors) == 2 and bool(own) and any(_resistor_rails(w, net) - own for net in nets if not net.rail)
+
+
+def _resistor_rails(w: Wiring, net: hardware.Net) -> set[hardware.Net]:
+    """The rails that a resistor joins a net to."""
+    resistors = [
+        owner for owner, _ in w.on(net) if "resistor" in f"{owner.family} {owner.partTitle}".lower().replace("photo", "-")
+    ]
+    return {far for owner in resistors if owner.role is Role.Passive for _, far in w.nets(owner) if far.rail}
+
+
+@bindings.critique(
+    id="RS271",
+    location=place,
+    advice="use a continuous rotation servo there, or a motor with a motor driver",
+    guard=lambda b: b.role == SERVO and b.connection is not None and b.connection.component is not None,
+)
+def TurnsOnAsAWheel(b: migration.PortBinding) -> bool | Fail:
+    """A servo that turns to an angle is not driven as a wheel."""
+    plan, connection = of_plan(b), b.connection
+    assert plan is not None
+    assert connection is not None
+    component = connection.component
+    assert component is not None
+    wheel = "it is a wheel of the drive" if b.conventionalPort is not None else _speed_function(plan, b)
+    if not wheel or not is_positional(component):
+        return True
+    label = connection.pin.label if connection.pin is not None else ""
+    return fault(
+        component,
+        f"'{who(component)}' ({label}) turns to an angle and cannot turn on, but for the port '{b.name}' {wheel}",
+        pin=label,
+    )
+
+
+def _speed_function(plan: migration.MigrationPlan, b: migration.PortBinding) -> str:
+    """The function that sets a speed at a port, as half a sentence; empty if there is none."""
+    called = {str(call.calleeName) for call in port_calls(plan, b)}
+    for use in plan.adapterUses:
+        told = use.function is not None and any(p.meaning is platform.Meaning.speed for p in use.function.parameters)
+        if told and str(use.name) in called:
+            return f"{use.name} sets a speed"
+    return ""
 
 
 @bindings.critique(

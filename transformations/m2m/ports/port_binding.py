@@ -115,6 +115,8 @@ def bind_ports(
             binding.role = seat.role
             rank(seat, _within_reach(binding, bindings, connections))
         binding.mirrored = _is_mirrored(port, api)
+        timing = api.settings.get("ports", {}).get("discharges", ())
+        binding.discharges = any(use.function in timing for use in port.uses)
     return bindings
 
 
