@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from robosmi.diagnostics import Finding, Location
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import hardware, migration, platform
 from robosmi.model import EmfModel
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind, root_of
@@ -17,6 +17,7 @@ from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.component_kinds import is_positional
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of, pin_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
@@ -175,9 +176,8 @@ def DriverTurnsAMotor(b: migration.PortBinding) -> bool | Fail:
         return True
     where = pin.label if pin is not None else ""
     why = _no_motor(plan, b, where)
-    return not why or fault(
-        driver, f"the port '{b.name}' ({where}) cannot turn a motor through '{who(driver)}': {why}", pin=where
-    )
+    what = f"the port '{b.name}' ({where}) cannot turn a motor through '{who(driver)}'"
+    return not why or fault(driver, f"{what}: {why}", pin=where)
 
 
 def _no_motor(plan: migration.MigrationPlan, b: migration.PortBinding, where: str) -> str:
@@ -223,15 +223,12 @@ def HasACapacitor(b: migration.PortBinding) -> bool | Fail:
     nets = [end.net for end in (*connection.connectors, *connection.boardConnectors) if end.net is not None]
     if component is None or any(_is_capacitor(owner) for net in nets for owner, _ in w.on(net)):
         return True
-    if any(_is_capacitor(part) for part in connection.via) or not (
-        _gives_voltage(w, connection) or _is_divided(w, component, nets)
-    ):
+    divider = _gives_voltage(w, connection) or _is_divided(w, component, nets)
+    if not divider or any(_is_capacitor(part) for part in connection.via):
         return True
     label = connection.pin.label if connection.pin is not None else ""
-    what = (
-        f"the port '{b.name}' ({label}) measures the discharge of a capacitor, but '{who(component)}' there is a voltage divider"
-    )
-    return fault(component, f"{what} without one", pin=label)
+    what = f"the port '{b.name}' ({label}) measures the discharge of a capacitor"
+    return fault(component, f"{what}, but '{who(component)}' there is a voltage divider without one", pin=label)
 
 
 def _is_capacitor(part: hardware.Component) -> bool:
@@ -251,10 +248,9 @@ def _is_divided(w: Wiring, component: hardware.Component, nets: Sequence[hardwar
 
 def _resistor_rails(w: Wiring, net: hardware.Net) -> set[hardware.Net]:
     """The rails that a resistor joins a net to."""
-    resistors = [
-        owner for owner, _ in w.on(net) if "resistor" in f"{owner.family} {owner.partTitle}".lower().replace("photo", "-")
-    ]
-    return {far for owner in resistors if owner.role is Role.Passive for _, far in w.nets(owner) if far.rail}
+    passive = [owner for owner, _ in w.on(net) if owner.role is Role.Passive]
+    resistors = [owner for owner in passive if "resistor" in f"{owner.family} {owner.partTitle}".lower()]
+    return {far for owner in resistors for _, far in w.nets(owner) if far.rail}
 
 
 @bindings.critique(
@@ -274,11 +270,8 @@ def TurnsOnAsAWheel(b: migration.PortBinding) -> bool | Fail:
     if not wheel or not is_positional(component):
         return True
     label = connection.pin.label if connection.pin is not None else ""
-    return fault(
-        component,
-        f"'{who(component)}' ({label}) turns to an angle and cannot turn on, but for the port '{b.name}' {wheel}",
-        pin=label,
-    )
+    what = f"'{who(component)}' ({label}) turns to an angle and cannot turn on"
+    return fault(component, f"{what}, but for the port '{b.name}' {wheel}", pin=label)
 
 
 def _speed_function(plan: migration.MigrationPlan, b: migration.PortBinding) -> str:
@@ -289,6 +282,30 @@ def _speed_function(plan: migration.MigrationPlan, b: migration.PortBinding) -> 
         if told and str(use.name) in called:
             return f"{use.name} sets a speed"
     return ""
+
+
+@bindings.critique(
+    id="RS272",
+    location=place,
+    advice="add a level shifter or a voltage divider between them",
+    guard=lambda b: b.signal is not migration.Signal.read and pin_of(b) is not None,
+)
+def HostBearsTheLevels(b: migration.PortBinding) -> bool | Fail:
+    """The program does not drive a pin that is wired directly to another computer or board whose pins bear a lower voltage."""
+    plan, pin = of_plan(b), pin_of(b)
+    assert plan is not None
+    assert pin is not None
+    w, board = wired(plan), plan.boardComponent
+    volts = float(plan.board.volts) if plan.board is not None else 0.0
+    for connector, net in w.nets(board) if board is not None else ():
+        for host, end in w.on(net) if connector.pin == pin.label and not net.rail else ():
+            most = w.facts(host).signal_volts
+            if host is not board and host.role in (Role.Unknown, Role.Board) and most is not None and volts > most:
+                what = (
+                    f"the program drives {pin.label} with {volts:g} V, and it is wired to {displayed_name(end)} of '{who(host)}'"
+                )
+                return fault(host, f"{what}, whose pins bear {most:g} V", pin=pin.label)
+    return True
 
 
 @bindings.critique(

@@ -19,7 +19,6 @@ signals = EVL()
 """The constraints on signals; evaluate them on a hardware model."""
 
 nets = signals.context(hardware.Net, guard=lambda n: n.circuit is not None and not n.rail)
-hosts = signals.context(hardware.Component, guard=lambda c: c.circuit is not None and c.role in (Role.Unknown, Role.Board))
 devices = signals.context(
     hardware.Component, guard=lambda c: c.circuit is not None and c.role in (Role.Input, Role.Output, Role.Both)
 )
@@ -179,23 +178,6 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
                 c,
                 f"{p.label} drives {displayed_name(p.connector)} of '{who(c)}' with {model.volts:g} V; its maximum is {most:g} V",
             )
-    return True
-
-
-@hosts.critique(
-    id="RS272", location=drawing,
-    advice="add a level shifter or a voltage divider between them; nothing, if the board only reads what the other one drives there",
-)  # fmt: skip
-def HostBearsTheLevels(c: hardware.Component) -> bool | Fail:
-    """A board whose pins bear a lower voltage is not wired directly to the pins of a board with a higher one."""
-    w = wiring_of(c)
-    most = w.facts(c).signal_volts
-    for p in w.board_pins(c, through=False) if most is not None else ():
-        model = w.board_model(p.board) if p.board is not c else None
-        other = p.connector.kind is Kind.signal and not _gives(p.connector.name)
-        if most is not None and other and model is not None and p.pin is not None and model.volts > most:
-            what = f"{p.label} has levels of {model.volts:g} V and is wired to {displayed_name(p.connector)} of '{who(c)}'"
-            return fault(c, f"{what}, whose pins bear {most:g} V", volts=model.volts, most=most, pin=p.label)
     return True
 
 
