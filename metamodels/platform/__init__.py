@@ -228,6 +228,8 @@ class Platform(Element, metaclass=MetaEClass):
     """Width of double in bits."""
     charSigned: bool = EAttribute(eType=EBoolean)
     """True if plain char is signed."""
+    losesLevel: bool = EAttribute(eType=EBoolean)
+    """True if a level that a program writes before it makes the pin an output may be lost."""
     hasCogs: bool = EAttribute(eType=EBoolean)
     """True if programs can start code on several cores."""
     portCount: int = EAttribute(eType=EInt)
@@ -296,6 +298,7 @@ class Platform(Element, metaclass=MetaEClass):
             pointerBits: int | None = None,
             doubleBits: int | None = None,
             charSigned: bool | None = None,
+            losesLevel: bool | None = None,
             hasCogs: bool | None = None,
             portCount: int | None = None,
             architecture: str | None = None,

@@ -17,14 +17,19 @@ from typing import Any, ClassVar, TypeVar
 from robosmi.errors import UsageError, VerificationError
 from robosmi.plugin_contracts import wrong_result
 from robosmi.plugins import content, registry
-from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
+from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, StoredByte, Wave
 
-Event = TypeVar("Event", PinChange, Wave, ConsoleByte, DeviceEvent)
+Event = TypeVar("Event", PinChange, Wave, ConsoleByte, DeviceEvent, StoredByte)
 
 Level = int | str
 """How the program drives a pin: 0, 1, `z` (an input) or `p` (an input with its pull-up on)."""
 AIMS = FOR_A_TIME, BY_A_WAY, TO_A_PLACE = ("time", "way", "place")
 """How a program drives a device that moves: until it says otherwise, so far from its last goal, or to a fixed place."""
+ADDRESSES = 1 << 16
+"""Bytes of the largest memory that a board keeps without power."""
+WRITTEN = "written"
+"""What a memory notes for each byte that it takes: its address and the byte."""
+_ERASED = 0xFF
 MOST_CHANGES = 2_000_000
 """Limit on the pin changes of a run; each takes about 130 bytes, and as many again while it is transferred."""
 
@@ -41,15 +46,21 @@ class Bench(ABC):
         brief: the pins of which only the first change to each level is recorded.
         changes: how it drove the pins, by time.
         events: what devices noticed, by time.
+        store_bytes: the size of the memory that the board keeps without power; 0 if it has none or the engine does not show it.
+        stored: how the program changed that memory, by time.
     """
+
+    store_bytes = 0
 
     def __init__(self, pins: Sequence[str], clock_hz: int) -> None:
         self.clock_hz = clock_hz
         self.driven: dict[str, Level] = dict.fromkeys(pins, "z")
         self.changes: list[PinChange] = []
         self.events: list[DeviceEvent] = []
+        self.stored: list[StoredByte] = []
+        self._store: dict[int, int] = {}  # address -> byte; others are erased
         self.brief: frozenset[str] = frozenset()
-        self._told: set[tuple[str, Level]] = set()  # what was recorded of brief pins
+        self._recorded: set[tuple[str, Level]] = set()  # what was recorded of brief pins
         self._contacts: dict[str, str] = {}
         self._devices: list[Device] = []
         self._at_pin: dict[str, list[Device]] = {}
@@ -152,7 +163,31 @@ class Bench(ABC):
     def send(self, data: bytes) -> None:
         """Let bytes arrive on the program's console."""
 
+    def store(self, address: int, content: bytes) -> None:
+        """Put bytes into the memory that the board keeps without power, before the program starts.
+
+        Args:
+            address: of the first one; beyond the end of the memory its addresses repeat.
+            content: the bytes.
+
+        Raises:
+            VerificationError: there is no such memory.
+        """
+        if not self.store_bytes:
+            raise VerificationError(
+                "nothing can be put into the EEPROM of this board", fix="use a board and an engine that have one"
+            )
+        for number, byte in enumerate(content):
+            self._store[(address + number) % self.store_bytes] = byte
+
     # ---- what an engine tells
+
+    def byte_stored(self, at_us: float, address: int, byte: int) -> None:
+        """Record that the program writes a byte into that memory, unless it is there already."""
+        place = address % self.store_bytes
+        if self._store.get(place, _ERASED) != byte:
+            self._store[place] = byte
+            self.stored.append(StoredByte(at_us, address, byte))
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Record that the program changed how it drives a pin, and notify the devices connected to it."""
@@ -162,9 +197,9 @@ class Bench(ABC):
             self.driven[pin] = level
             if pin in self._contacts:
                 self._pass_on(pin)
-            if (pin, level) in self._told:
+            if (pin, level) in self._recorded:
                 return
-            self._told.add((pin, level))
+            self._recorded.add((pin, level))
             self.changes.append(PinChange(self.now, pin, level))
             return
         self.driven[pin] = level
@@ -227,7 +262,7 @@ class Bench(ABC):
         return PinTrace(
             engine, state, min(self.now, horizon_us),
             by_time(self.changes), by_time(waves), by_time(console), by_time(self.events),
-            rests_until_us=horizon_us if state == "done" else 0.0,
+            rests_until_us=horizon_us if state == "done" else 0.0, stored=by_time(self.stored), store_bytes=self.store_bytes,
         )  # fmt: skip
 
     # ---- connecting
@@ -354,6 +389,9 @@ class Device:
 
     def bus_stop(self) -> None:
         """React to the end of a transfer."""
+
+    def restore(self, address: int, content: bytes) -> None:
+        """Have bytes from an earlier run, if it is a memory that keeps them without power."""
 
     def note(self, what: str, value: Any) -> None:
         """Record an event of the device at the current time."""

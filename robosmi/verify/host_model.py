@@ -11,7 +11,6 @@ from __future__ import annotations
 import shutil
 from collections.abc import Mapping
 from pathlib import Path
-from types import MappingProxyType
 
 from msgspec import Struct
 
@@ -42,7 +41,9 @@ class HostModel(Struct, frozen=True):
         predefined: what the platform's own compiler defines: names of macros, and their text after `=`.
         same: functions of the machine's C library that programs may use as they are.
         devices: what the board has at its pins and buses by itself.
-        stored: what no channel of a comparison shows -> the functions by which programs store it.
+        stores: the functions by which programs store bytes that the board keeps without power.
+        store_pins: the board's own pins of that memory.
+        store: the number of that memory among `devices`, or None.
     """
 
     folder: Path
@@ -60,7 +61,9 @@ class HostModel(Struct, frozen=True):
     predefined: tuple[str, ...]
     same: frozenset[str]
     devices: tuple[DeviceUse, ...]
-    stored: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    stores: frozenset[str] = frozenset()
+    store_pins: frozenset[str] = frozenset()
+    store: int | None = None
 
     @property
     def files(self) -> list[Path]:
@@ -120,7 +123,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         libraries.setdefault(library.name, library.resolve())
     parser = DataTable.read(resources.find(KIND, f"{platform}/platform.toml", project)).table("parser")
     pin, channel = table.text("pin_label"), table.text("channel_label")
-    stored = table.table("stored", needed=False)
+    devices, stores = table.tables("devices", needed=False), table.table("stores", needed=False)
     return HostModel(
         folder=path.parent,
         platform=platform,
@@ -136,8 +139,10 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         compiler=table.table("compiler"),
         predefined=parser.texts("predefined", ()) + parser.texts("defines", ()),
         same=frozenset(table.table("compiler").texts("same")),
-        devices=tuple(_device(each) for each in table.tables("devices", needed=False)),
-        stored={what: stored.texts(what) for what in stored.values},
+        devices=tuple(_device(each) for each in devices),
+        stores=frozenset(stores.texts("functions", ())),
+        store_pins=frozenset(stores.texts("pins", ())),
+        store=next((number for number, each in enumerate(devices) if each.values.get("stores")), None),
     )
 
 

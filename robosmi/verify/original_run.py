@@ -28,8 +28,9 @@ from typing import TypeVar
 from msgspec import Struct
 
 from robosmi import inputs
+from robosmi.base.data_text import as_list, as_whole
 from robosmi.errors import UsageError
-from robosmi.verify.bench import AIMS, Bench, Level, device_class
+from robosmi.verify.bench import ADDRESSES, AIMS, WRITTEN, Bench, Level, device_class
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.sandbox import refusal
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinChange, PinTrace, Wave
@@ -132,7 +133,11 @@ def run_original(
         VerificationError: the program cannot be started.
     """
     bench = HostBench(program)
-    bench.connect([*devices, *_boards_own(program, devices)], brief)
+    own = _boards_own(program, devices)
+    store = program.model.devices[program.model.store] if program.model.store is not None else None
+    if store in own:
+        bench.store_in(len(devices) + own.index(store), program.store_bytes)
+    bench.connect([*devices, *own], brief)
     command = program.launcher.command(program.binary, max(1, math.ceil(limit_s)))
     with ending_with_us(
         lambda: subprocess.Popen(
@@ -143,6 +148,7 @@ def run_original(
         run = _Conversation(bench, process, monotonic() + HANGS * limit_s, program.data_bytes)
         run.begin(program, horizon_us, variation or Variation(), calls_from_us)
         status, cause, counts = run.result()
+    bench.record_stored()
     trace = bench.trace(
         f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
     )
@@ -401,7 +407,32 @@ class HostBench(Bench):
         self.next_wake = NEVER
         self._addressed: dict[int, int] = {}  # bus -> address
         self._with_charge: set[str] = set()
+        self._memory: int | None = None
         self._decays = 0
+
+    def store_in(self, number: int, store_bytes: int) -> None:
+        """Say which device is the memory that the board keeps without power.
+
+        Args:
+            number: of the device.
+            store_bytes: how many of its bytes are told apart; all if 0.
+        """
+        self._memory = number
+        self.store_bytes = store_bytes or ADDRESSES
+
+    def store(self, address: int, content: bytes) -> None:
+        """Put bytes into that memory."""
+        super().store(address, content)
+        if self._memory is not None:
+            self._devices[self._memory].restore(address, content)
+
+    def record_stored(self) -> None:
+        """Tell what the program has stored from what else devices have noticed."""
+        for event in self.events:
+            if event.device == self._memory and event.what == WRITTEN:
+                address, byte = as_list(event.value)
+                self.byte_stored(event.at_us, as_whole(address), as_whole(byte))
+        self.events = [event for event in self.events if event.device != self._memory]
 
     @property
     def cycle(self) -> int:

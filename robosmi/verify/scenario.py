@@ -8,6 +8,9 @@
     DHT22 = { humidity = [[0, 40]], celsius = [[0, 21.5]] }
     console = [[100, "go\\n"]]
 
+`stored = [[32768, 3, 0, 0, 0]]` beside `horizon_ms` has bytes that an earlier run has stored in the board's memory: rows of an
+address and the bytes from there on.
+
 What a value means is told by the device that plays it. Which components there are, and which device stands for each, is content;
 nothing here knows a device.
 """
@@ -35,7 +38,8 @@ POINTS = "points"
 """The setting of a device that a signal without further names is."""
 LARGEST = 1e12
 """The largest number that a signal takes; infinite ones and those that are none are larger than any."""
-_KEYS = ("name", "horizon_ms", "signals")
+_KEYS = ("name", "horizon_ms", "stored", "signals")
+_LAST_ADDRESS = 0xFFFF
 
 
 class Scenario(Struct, frozen=True):
@@ -45,6 +49,7 @@ class Scenario(Struct, frozen=True):
         name: what it is called in reports.
         horizon_ms: how long it lasts, in milliseconds of simulated time.
         signals: component, port or pin -> setting of its device (`points` where a signal has no name of its own) -> the signal.
+        stored: what the board's memory keeps from an earlier run: rows of an address and the bytes from there on.
         origin: `given` by a person, `stored` with the models, or `generated`.
         path: the file that it was read from, or None.
     """
@@ -54,10 +59,13 @@ class Scenario(Struct, frozen=True):
     signals: Mapping[str, Mapping[str, Points]] = {}
     origin: str = "given"
     path: Path | None = None
+    stored: tuple[tuple[int, ...], ...] = ()
 
     def text(self) -> str:
         """The scenario as the TOML text that `read_scenario` reads."""
-        lines = [f"name = {toml(self.name)}", f"horizon_ms = {_plain(self.horizon_ms)}", "", "[signals]"]
+        lines = [f"name = {toml(self.name)}", f"horizon_ms = {_plain(self.horizon_ms)}"]
+        lines += [f"stored = {[list(row) for row in self.stored]}"] * bool(self.stored)
+        lines += ["", "[signals]"]
         for name, settings in self.signals.items():
             told = {setting: "[" + ", ".join(_point(p) for p in points) + "]" for setting, points in settings.items()}
             value = told[POINTS] if [*told] == [POINTS] else "{ " + ", ".join(f"{k} = {v}" for k, v in told.items()) + " }"
@@ -98,7 +106,21 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
         }
         for component, told in signals.items()
     }
-    return Scenario(name, float(horizon), read, origin, path)
+    return Scenario(name, float(horizon), read, origin, path, _stored(path, data.get("stored", [])))
+
+
+def _stored(path: Path, rows: Any) -> tuple[tuple[int, ...], ...]:
+    def fits(row: Any) -> bool:
+        whole = (
+            isinstance(row, list) and len(row) > 1 and all(isinstance(each, int) and not isinstance(each, bool) for each in row)
+        )
+        return whole and 0 <= row[0] <= _LAST_ADDRESS - len(row) + 2 and all(byte in range(256) for byte in row[1:])
+
+    if not isinstance(rows, list) or not all(fits(row) for row in rows):
+        raise _wrong(
+            path, "'stored' is no list of addresses with bytes", "write rows of an address and bytes: [[32768, 3, 0, 0, 0]]"
+        )
+    return tuple(tuple(row) for row in rows)
 
 
 def _points(path: Path, name: str, told: Any, horizon_ms: float) -> Points:

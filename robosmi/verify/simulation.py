@@ -62,6 +62,7 @@ class Job(Struct, frozen=True):
         brief: the pins of which only the first change to each level is wanted, which takes less time (see `Bench.connect`).
         reached: whether to record which instructions run, if the engine can.
         stack_room: the first and the last address of the data memory for heap and stack; None to record no stack depth.
+        store_bytes: the size of the microcontroller's own EEPROM; 0 if it has none.
     """
 
     elf: str
@@ -77,6 +78,7 @@ class Job(Struct, frozen=True):
     brief: Sequence[str] = ()
     reached: bool = False
     stack_room: tuple[int, int] | None = None
+    store_bytes: int = 0
 
 
 class PinChange(NamedTuple):
@@ -112,6 +114,14 @@ class DeviceEvent(NamedTuple):
     value: Json
 
 
+class StoredByte(NamedTuple):
+    """The program changes a byte that the board keeps without power, from `at_us` on."""
+
+    at_us: float
+    address: int
+    byte: int
+
+
 class PinTrace(Struct, frozen=True, dict=True):
     """The observations of one run.
 
@@ -127,6 +137,9 @@ class PinTrace(Struct, frozen=True, dict=True):
         stack_bytes: the greatest stack depth in bytes, if requested and supported by the engine.
         console_baud: the last baud rate of the console; 0 if unknown.
         rests_until_us: the horizon if the program stopped itself, since its pins stay as they are until then; else 0.
+        stored: the changes of what the board keeps without power (its EEPROM), in order of time.
+        store_bytes: the size of that memory, beyond which addresses repeat; 0 if the board has none, or the engine does not
+            show it.
     """
 
     engine: str
@@ -140,6 +153,8 @@ class PinTrace(Struct, frozen=True, dict=True):
     stack_bytes: int | None = None
     console_baud: float = 0.0
     rests_until_us: float = 0.0
+    stored: tuple[StoredByte, ...] = ()
+    store_bytes: int = 0
 
     @property
     def known_us(self) -> float:
@@ -163,6 +178,7 @@ class PinTrace(Struct, frozen=True, dict=True):
             waves=tuple(each for each in self.waves if each.at_us <= at_us),
             console=tuple(each for each in self.console if each.at_us <= at_us),
             device_events=tuple(each for each in self.device_events if each.at_us <= at_us),
+            stored=tuple(each for each in self.stored if each.at_us <= at_us),
         )
 
     @cached_property
@@ -325,6 +341,8 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             answer["stack_bytes"],
             answer["console_baud"],
             answer["rests_until_us"],
+            tuple(StoredByte(*each) for each in answer["stored"]),
+            answer["store_bytes"],
         )  # fmt: skip
     except (KeyError, TypeError, ValueError) as error:
         raise InternalError(f"the engine '{engine}' returned no valid trace: {error}") from error

@@ -43,6 +43,8 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         "stack_bytes": trace.stack_bytes,
         "console_baud": trace.console_baud,
         "rests_until_us": trace.rests_until_us,
+        "stored": trace.stored,
+        "store_bytes": trace.store_bytes,
     }
 
 

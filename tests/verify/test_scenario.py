@@ -13,6 +13,7 @@ from robosmi.verify.scenario import Scenario, read_scenario
 TEXT = """
 name = "a checkpoint"
 horizon_ms = 4000
+stored = [[32768, 3, 0], [40, 255]]
 
 [signals]
 "QTI left" = [[0, 300], [500, 1700.5]]
@@ -26,6 +27,7 @@ def test_a_scenario_is_read(tmp_path: Path) -> None:
     path.write_text(TEXT)
     read = read_scenario(path)
     assert (read.name, read.horizon_ms, read.origin, read.path) == ("a checkpoint", 4000.0, "given", path)
+    assert read.stored == ((32768, 3, 0), (40, 255))
     assert read.signals == {
         "QTI left": {"points": ((0.0, 300), (500.0, 1700.5))},
         "DHT22": {"humidity": ((0.0, 40),), "celsius": ((0.0, None), (1000.0, -2.5))},
@@ -55,6 +57,11 @@ def test_a_scenario_is_read(tmp_path: Path) -> None:
         ("[[0, 300], [500, 1700.5]]", "[]", "is not a list of points"),
         ("[[0, 300], [500, 1700.5]]", '"high"', "is not a list of points"),
         ('name = "a checkpoint"', "name = 7", "'name' must be a text"),
+        ("[40, 255]", "[40]", "'stored' is no list of addresses with bytes"),
+        ("[40, 255]", "[40, 256]", "'stored' is no list"),
+        ("[40, 255]", "[65535, 1, 2]", "'stored' is no list"),
+        ("[40, 255]", "[-1, 2]", "'stored' is no list"),
+        ("[[32768, 3, 0], [40, 255]]", '"all"', "'stored' is no list"),
         ("[signals]", "[signals", "the scenario cannot be read"),
     ],
 )
@@ -88,14 +95,20 @@ Signals = dict[str, dict[str, tuple[tuple[float, object], ...]]]
 
 
 @settings(max_examples=80, suppress_health_check=[HealthCheck.too_slow])  # on a machine under load
-@given(_NAME, st.floats(1000, 600_000), st.dictionaries(_NAME, _POINTS.map(lambda p: {"points": p}), max_size=4))
+@given(
+    _NAME,
+    st.floats(1000, 600_000),
+    st.dictionaries(_NAME, _POINTS.map(lambda p: {"points": p}), max_size=4),
+    st.lists(st.tuples(st.integers(0, 9999), st.integers(0, 255)), max_size=2).map(tuple),
+)
 def test_a_text_is_read_back_as_the_same_scenario(
     tmp_path_factory: pytest.TempPathFactory,
     name: str,
     horizon: float,
     signals: Signals,
+    stored: tuple[tuple[int, ...], ...],
 ) -> None:
     path = tmp_path_factory.mktemp("s") / "s.toml"
-    scenario = Scenario(name, round(horizon, 6), signals, "stored", path)
+    scenario = Scenario(name, round(horizon, 6), signals, "stored", path, stored)
     path.write_text(scenario.text(), encoding="utf-8")
     assert read_scenario(path, "stored") == scenario

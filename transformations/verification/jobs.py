@@ -37,6 +37,11 @@ def shows_console(mcu: str) -> bool:
     return mcu not in _facts() or bool(_facts()[mcu][1].get("console", True))
 
 
+def store_bytes(mcu: str) -> int:
+    """The size of a microcontroller's own EEPROM; 0 if it has none that simulators show."""
+    return int(_facts()[mcu][1].get("eeprom_bytes", 0)) if mcu in _facts() else 0
+
+
 def job(
     elf: Path, hex_file: Path | None, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = (),
     brief: Sequence[str] = (),
@@ -80,6 +85,7 @@ def job(
         horizon_us,
         tuple(devices),
         tuple(brief),
+        store_bytes=store_bytes(mcu),
     )
 
 

@@ -12,7 +12,7 @@ from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.transformations.verification.jobs import job, shows_console
+from robosmi.transformations.verification.jobs import job, shows_console, store_bytes
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace, engines_for, simulate
 from robosmi.verify.toolchains.compile_report import CompileReport
@@ -30,6 +30,7 @@ class TargetSide:
     Attributes:
         board: the board.
         shows_console: whether what the program prints can be seen.
+        store_bytes: the size of the board's own EEPROM, if simulators show it; 0 if not.
     """
 
     def __init__(
@@ -53,6 +54,7 @@ class TargetSide:
         mcu = str(chip.name) if chip is not None else ""
         self.board = board
         self.shows_console = shows_console(mcu)
+        self.store_bytes = store_bytes(mcu)
         self._report, self._ports = report, ports
         self._brief = [] if whole else brief_pins(ports, target=True)
         self._names = [each.name for each in engines_for(mcu, wanted)]

@@ -1,4 +1,4 @@
-"""Binds each port of the source program to a connection of the target (paper Listing 4: `leftQTI` becomes 10).
+"""Binds each port of the source program to a connection of the target (paper, Listing 3: `leftQTI` becomes 10).
 
 A person's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence
 that `port_binding` weighs. What none of these decides stays open with its options. The drawing alone never tells which of
@@ -115,14 +115,14 @@ def bind_ports(
             binding.role = seat.role
             rank(seat, _within_reach(binding, bindings, connections))
         binding.mirrored = _is_mirrored(port, api)
-        timing = api.settings.get("ports", {}).get("discharges", ())
+        timing: Sequence[str] = api.settings.get("ports", {}).get("discharges", ())
         binding.discharges = any(use.function in timing for use in port.uses)
     return bindings
 
 
 def _is_mirrored(port: Port, api: ApiIndex) -> bool:
     """Whether the platform says that the servo at a port is mounted the other way round: by its name, or an argument's place."""
-    known = api.settings.get("ports", {}).get("mirrored", ())
+    known: Sequence[str] = api.settings.get("ports", {}).get("mirrored", ())
     places = {
         f"{use.function} {position}"
         for use in port.uses

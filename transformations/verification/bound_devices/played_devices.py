@@ -24,6 +24,8 @@ from robosmi.verify.simulation import DeviceUse
 
 CONSOLE, TYPING = "console", "typing"
 """Name of the console in scenarios, and kind of the device that types there."""
+_STORED_BYTES = "stored_bytes"
+"""Kind of the device that fills the board's memory before the program starts."""
 
 
 class PlayedDevice(Struct, frozen=True):
@@ -102,6 +104,8 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
     if CONSOLE in (scenario.signals if scenario is not None else {}):
         assert scenario is not None
         made.append(DeviceUse(TYPING, {}, {POINTS: [list(point) for point in scenario.signals[CONSOLE][POINTS]]}))
+    if scenario is not None and scenario.stored:
+        made.append(DeviceUse(_STORED_BYTES, {}, {"bytes": {str(row[0]): list(row[1:]) for row in scenario.stored}}))
     return made
 
 

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from robosmi.base.data_text import Json
-from robosmi.verify.bench import Bench, Device
+from robosmi.verify.bench import ADDRESSES, WRITTEN, Bench, Device
 
 
 class _Memory(Device):
@@ -38,11 +38,16 @@ class _Memory(Device):
             self.pointer = ((self.pointer << 8 if self._taken else 0) | byte) % self.cells
             self._taken += 1
         else:
-            self.note("written", [self.pointer, byte])
+            self.note(WRITTEN, [self.pointer, byte])
             self.memory[self.pointer] = byte
             self.pointer = self._next()
             self._written += 1
         return True
+
+    def restore(self, address: int, content: bytes) -> None:
+        """Have bytes from an earlier run."""
+        for number, byte in enumerate(content):
+            self.memory[(address + number) % self.cells] = byte
 
     def _next(self) -> int:
         return (self.pointer + 1) % self.cells
@@ -61,7 +66,7 @@ class Eeprom(_Memory):
     """
 
     pointer_bytes = 2
-    cells = 65536
+    cells = ADDRESSES
     page = 128
     setting_names: ClassVar[Mapping[str, Json]] = {"address": 0x50, "content": (), "busy_ms": 5.0}
 
@@ -81,6 +86,20 @@ class Eeprom(_Memory):
         if self._written:
             self._ready_us = self.bench.now + self.settings["busy_ms"] * 1000
             self._written = 0
+
+
+class StoredBytes(Device):
+    """What the board's own memory keeps from an earlier run.
+
+    Setting: `bytes`, address -> the bytes from there on.
+    """
+
+    setting_names: ClassVar[Mapping[str, Any]] = {"bytes": ...}
+
+    def start(self) -> None:
+        """Put them there."""
+        for address, content in self.settings["bytes"].items():
+            self.bench.store(int(address), bytes(content))
 
 
 class Registers(_Memory):

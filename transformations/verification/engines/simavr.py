@@ -41,6 +41,8 @@ _EEPROM_CONTROL = 0x3F
 """The EEPROM's control register, which is there in all microcontrollers that are served."""
 _EEPROM_WRITES = 0b110
 """The two bits that a program sets to write a byte; the lower one stays set until the byte is written."""
+_EEPROM_DATA, _EEPROM_PLACE = 0x40, 0x41
+"""Its data register, and the lower of the two with the address."""
 _EEPROM_BUSY, _EEPROM_MODE = 0b10, 4
 _EEPROM_WRITE_US = (3400.0, 1800.0, 1800.0, 3400.0)
 """Time of a write in microseconds, by the two mode bits: erase and write, erase, write, reserved (data sheets)."""
@@ -113,6 +115,7 @@ class _Run(Bench):
         for address in self.timers.registers:
             self._watch_register(address)
         self._writing_until = 0.0
+        self.store_bytes = job.store_bytes
         self._notify(library.avr_iomem_getirq(self._avr, _EEPROM_CONTROL, None, _EVERY_WRITE), self._eeprom_told)
 
     def _made(self) -> int:
@@ -347,12 +350,30 @@ class _Run(Bench):
         """Stay busy for as long as writing a byte takes."""
         if value & _EEPROM_WRITES == _EEPROM_WRITES and self.now >= self._writing_until:
             self._writing_until = self.now + _EEPROM_WRITE_US[value >> _EEPROM_MODE & 3]
+            if self.store_bytes:
+                byte, low, high = (self._register(each) for each in (_EEPROM_DATA, _EEPROM_PLACE, _EEPROM_PLACE + 1))
+                self.byte_stored(self.now, high << 8 | low, byte)
             self.at(self._writing_until, lambda: self._eeprom_busy(0))
         if self.now < self._writing_until:
             self._eeprom_busy(_EEPROM_BUSY)
 
+    def store(self, address: int, content: bytes) -> None:
+        """Put bytes into the microcontroller's own EEPROM."""
+        super().store(address, content)
+        for number, byte in enumerate(content):
+            at, there = (address + number) % self.store_bytes, ctypes.create_string_buffer(1)
+            for code, byte_at in (("eesp", bytes([byte])), ("eegp", there)):  # both answer -1 even where they have done it
+                asked = _StoredBytes(ctypes.cast(byte_at, ctypes.c_void_p), at, 1)
+                self._library.avr_ioctl(self._avr, _code(code), ctypes.byref(asked))
+            if there.raw != bytes([byte]):
+                raise VerificationError("this simavr does not let its EEPROM be filled", fix="try another engine")
+
+    def _register(self, address: int) -> int:
+        found: int = self._library.avr_core_watch_read(self._avr, address)
+        return found
+
     def _eeprom_busy(self, busy: int) -> None:
-        now = self._library.avr_core_watch_read(self._avr, _EEPROM_CONTROL)
+        now = self._register(_EEPROM_CONTROL)
         self._library.avr_core_watch_write(self._avr, _EEPROM_CONTROL, now & ~_EEPROM_BUSY | busy)
 
     # ---- the run
@@ -430,6 +451,12 @@ class Firmware(ctypes.Structure):
         ("mmcu", ctypes.c_char * 64), ("frequency", ctypes.c_uint32), ("vcc", ctypes.c_uint32), ("avcc", ctypes.c_uint32),
         ("aref", ctypes.c_uint32), ("rest", ctypes.c_char * 16384),
     )  # fmt: skip
+
+
+class _StoredBytes(ctypes.Structure):
+    """`avr_eeprom_desc_t`: bytes, where they lie in the EEPROM, and how many they are."""
+
+    _fields_ = (("content", ctypes.c_void_p), ("offset", ctypes.c_uint16), ("size", ctypes.c_uint32))
 
 
 @cache

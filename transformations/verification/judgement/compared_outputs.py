@@ -10,6 +10,7 @@ from robosmi.transformations.queries.programs.live_code import live_in
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, STANDING
 from robosmi.transformations.verification.rest_comparison import RESTING
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, SAME
 from robosmi.verify.traces.verdict import PROGRAM, Verdict
 
@@ -22,9 +23,9 @@ def compared_outputs(
 ) -> dict[str, bool]:
     """Each output that is wired on both boards -> whether something was compared there.
 
-    These are the ports that the program drives, what devices such as displays receive, the lines of buses, and the console if
-    the program prints. A port of the source that is several pins of the target is one that is not compared. An output that only
-    unreachable code drives is none.
+    These are the ports that the program drives, what devices such as displays receive, the lines of buses, the console if the
+    program prints, and the EEPROM if it stores something. A port of the source that is several pins of the target is one that is
+    not compared. An output that only unreachable code drives is none.
 
     Args:
         verdict: the verdict, with its scenarios.
@@ -45,8 +46,7 @@ def compared_outputs(
             found[name] = found.get(name, False) or status in (SAME, DIFFERENT)
         elif (output := _output(name)) in found and status in (SAME, DIFFERENT):
             found[output] = True
-    if CONSOLE_CHANNEL in verdict.not_compared:
-        found[CONSOLE_CHANNEL] = False
+    found |= {name: False for name in (CONSOLE_CHANNEL, EEPROM_CHANNEL) if name in verdict.not_compared}
     return found
 
 

@@ -7,7 +7,7 @@ short a time, one function has switched it and another one has waited.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from msgspec.structs import replace
@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, SourceRuns
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import LibraryCall, library_calls
 from robosmi.verify.scenario import Scenario
@@ -51,7 +52,7 @@ def calls_around(
         return CallsAround()
     made = library_calls(program, played(ports, scenario, target=False), begin_us, end_us)
     calls = [replace(call, function=_MACRO.sub("", call.function)) for call in made]
-    maker = last_call_for(difference.channel, calls, ports, at_us)
+    maker = last_call_for(difference.channel, calls, ports, at_us, program.model.stores)
     told = {(call.function, call.file, call.line): call for call in calls if call.at_us <= at_us}
     after = {(call.function, call.file, call.line): call for call in reversed(calls) if call.at_us > at_us}
     near = [*sorted(told.values(), key=_when)[-_BEFORE:], *sorted(after.values(), key=_when)[:_AFTER]]
@@ -59,18 +60,22 @@ def calls_around(
     return CallsAround(maker, tuple(sorted(around.values(), key=_when)))
 
 
-def last_call_for(channel: str, calls: Sequence[LibraryCall], ports: Sequence[BoundPort], at_us: float) -> LibraryCall | None:
+def last_call_for(
+    channel: str, calls: Sequence[LibraryCall], ports: Sequence[BoundPort], at_us: float, stores: Collection[str] = ()
+) -> LibraryCall | None:
     """The last call up to an instant that acts on a channel, otherwise the first one after it; None if there is none.
 
     Args:
-        channel: the channel's name: the console, or the title of a port, with a suffix if the port has several channels.
+        channel: the channel's name: the console, the EEPROM, or the title of a port, with a suffix if the port has several
+            channels.
         calls: the calls of the source, in order of time.
         ports: the ports, with the functions that use each.
         at_us: the instant, in microseconds.
+        stores: the functions that store bytes in the EEPROM.
     """
     name = channel.removesuffix(DRIVEN).removesuffix(PULSED)
     port = next((port for port in ports if port.title and (name == port.title or name.startswith(f"{port.title} "))), None)
-    functions = port.functions if port is not None else ()
+    functions = port.functions if port is not None else stores if channel == EEPROM_CHANNEL else ()
     makes = [call for call in calls if (call.prints if channel == CONSOLE_CHANNEL else call.function in functions)]
     if port is not None:  # the same function may be called for other ports, too
         makes = [call for call in makes if (Path(call.file).name, call.line) in port.called_at] or makes
