@@ -74,6 +74,7 @@ _CONTENT = {
     ("device", "levels"): "verification.devices.levels:Levels",
     ("device", "light_chain"): "verification.devices.light_chain:LightChain",
     ("device", "ranger"): "verification.devices.ranger:Ranger",
+    ("device", "motor_wheel"): "verification.devices.motor_wheel:MotorWheel",
     ("device", "registers"): "verification.devices.two_wire:Registers",
     ("device", "serial_line"): "verification.devices.serial_line:SerialLine",
     ("device", "feedback_servo"): "verification.devices.feedback_servo:FeedbackServo",

@@ -199,6 +199,11 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """How code runs that the program starts on other cores; none if it starts none, or the target has cores."""
     portBindings: MutableSequence[PortBinding] = EReference(upper=-1, containment=True)
     """Which connection of the target replaces each port of the source."""
+    motorChannels: MutableSequence[MotorChannel] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """The channels of the motor drivers that are wired to the board."""
     portFlows: MutableSequence[PortFlow] = EReference(upper=-1, containment=True)
     """How port numbers flow from the text to the platform functions."""
     libraryChoices: MutableSequence[LibraryChoice] = EReference(
@@ -251,6 +256,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             connections: Iterable[Connection] | None = None,
             concurrency: Concurrency | None = None,
             portBindings: Iterable[PortBinding] | None = None,
+            motorChannels: Iterable[MotorChannel] | None = None,
             portFlows: Iterable[PortFlow] | None = None,
             libraryChoices: Iterable[LibraryChoice] | None = None,
             adapterUses: Iterable[AdapterUse] | None = None,
@@ -512,6 +518,36 @@ class ServoSpeed(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
+class MotorChannel(Element, metaclass=MetaEClass):
+    """One channel of a motor driver: the pins of the board at its inputs."""
+
+    component: Component | None = EReference()
+    """The motor driver."""
+    enable: Pin | None = EReference()
+    """The pin at its PWM input; none if PWM goes to the two direction inputs."""
+    first: Pin | None = EReference()
+    """The pin at its first direction input, which is high for forward."""
+    second: Pin | None = EReference()
+    """The pin at its second direction input, which is high for backward."""
+    awake: Pin | None = EReference()
+    """The pin at the standby or sleep input, which is high while the driver works; none if no pin controls it."""
+    missing: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """What is missing to drive a motor with this channel, one sentence each; empty if it is complete."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            component: Component | None = None,
+            enable: Pin | None = None,
+            first: Pin | None = None,
+            second: Pin | None = None,
+            awake: Pin | None = None,
+            missing: Iterable[str] | None = None,
+        ) -> None: ...
+
+
 class PortBinding(Decision):
     """The connection that replaces a port of the source. A port is a number of the source board, whatever the text calls it; a port that a library uses by convention is separate. If it is open, or the choice is none (not wired), it has no pin of the target."""
 
@@ -535,6 +571,10 @@ class PortBinding(Decision):
     """The convention of an API, if it is one."""
     conventionalPort: ConventionalPort | None = EReference()
     """The pin of the adapter that uses the port by convention, if there is one."""
+    discharges: bool = EAttribute(eType=EBoolean)
+    """Whether functions measure there how long a capacitor takes to discharge."""
+    mirrored: bool = EAttribute(eType=EBoolean)
+    """Whether the servo there is mounted the other way round, so that a wheel moves the robot forward at less than 1500 us."""
     answer: Connection | None = EReference()
     """The pin at which the component answers, if it has a wire for each direction and the functions support both; none for one wire."""
     connection: Connection | None = EReference()
@@ -565,6 +605,8 @@ class PortBinding(Decision):
             role: str | None = None,
             convention: PinConvention | None = None,
             conventionalPort: ConventionalPort | None = None,
+            discharges: bool | None = None,
+            mirrored: bool | None = None,
             answer: Connection | None = None,
             connection: Connection | None = None,
             pin: Pin | None = None,
@@ -1008,6 +1050,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.connections.eType = Connection
     MigrationPlan.concurrency.eType = Concurrency
     MigrationPlan.portBindings.eType = PortBinding
+    MigrationPlan.motorChannels.eType = MotorChannel
     MigrationPlan.portFlows.eType = PortFlow
     MigrationPlan.libraryChoices.eType = LibraryChoice
     MigrationPlan.adapterUses.eType = AdapterUse
@@ -1033,6 +1076,11 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Connection.connectors.eType = Connector
     Connection.via.eType = Component
     Connection.speeds.eType = ServoSpeed
+    MotorChannel.component.eType = Component
+    MotorChannel.enable.eType = Pin
+    MotorChannel.first.eType = Pin
+    MotorChannel.second.eType = Pin
+    MotorChannel.awake.eType = Pin
     PortBinding.element.eType = Located
     PortBinding.convention.eType = PinConvention
     PortBinding.conventionalPort.eType = ConventionalPort

@@ -211,6 +211,11 @@ class Bench(ABC):
         if pin in self._contacts:
             self._pass_on(pin)
 
+    def wave_changed(self, pin: str, hz: float, duty: float) -> None:
+        """Notify the devices at a pin that a timer makes another wave there; 0 Hz ends it."""
+        for device in self._at_pin.get(pin, ()):
+            device.wave_changed(pin, hz, duty)
+
     def refuse_too_many(self) -> None:
         """Refuse a program that changes its pins more often than can be kept.
 
@@ -360,6 +365,9 @@ class Device:
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """React to a change of how the program drives one of the device's pins."""
+
+    def wave_changed(self, pin: str, hz: float, duty: float) -> None:
+        """React to another wave of a timer at one of the device's pins: frequency and duty cycle (0 to 1); 0 Hz ends it."""
 
     def aimed(self, aim: str) -> None:
         """React to how the program drives the device from now on, one of `AIMS`; only models of libraries tell that."""

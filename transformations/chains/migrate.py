@@ -51,6 +51,7 @@ from robosmi.transformations.m2m.adapters.console_wait import set_console_wait
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
 from robosmi.transformations.m2m.circuits.connector_mapping import rename_clashes
+from robosmi.transformations.m2m.circuits.motor_channels import drawn_kinds
 from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, judge_program, put_together
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
@@ -193,6 +194,7 @@ def judgement(
     adapters: str | None,
     widths: str | None,
     settings: Project,
+    drawing: StoredDrawing | None,
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), and which adapters fill its calls.
 
@@ -206,7 +208,9 @@ def judgement(
     files = index if index is not None else adapter_files_of(settings, target, api)
     members, calls = outside_members(program.views), {name for view in program.views for name in view.called()}
     narrow = target.model.platform is not None and int(target.model.platform.intBits) < int(api.settings["int_bits"])
-    choice = adapter_choice(files, api, board, how, widened=narrow and widths != KEEP, members=members, calls=calls)
+    wired = drawing.hardware if drawing is not None else None
+    drawn = drawn_kinds(wired.connections, wired.motor_channels) if wired is not None else ()
+    choice = adapter_choice(files, api, board, how, widened=narrow and widths != KEEP, members=members, calls=calls, drawn=drawn)
     known = api.settings.get("ports", {}).get("look_up", {})
     look_up = [str(known[name]) for name in looked_up(ports) if name in known]
     judged = judge_program(program.views, target, choice, program.copies, look_up)

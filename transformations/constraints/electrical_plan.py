@@ -5,10 +5,10 @@ They apply to a plan with a drawing (rules RS260 to RS268). Constraints on the d
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from robosmi.diagnostics import Finding, Location
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import hardware, migration, platform
 from robosmi.model import EmfModel
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind, root_of
@@ -16,7 +16,11 @@ from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.finding_locations import drawing, fault, worst_first
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
+from robosmi.transformations.queries.circuits.component_kinds import is_positional
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of, pin_of
+from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
 from robosmi.validate import EVL, Fail
 
@@ -56,8 +60,10 @@ def plan_rules() -> frozenset[str]:
     return frozenset(constraint.id for constraint in _both.declared())
 
 
-SERVO, MOTOR_DRIVER = "servo", "motor driver"
-"""The kind of a port's component, and that of a part, as the repository's data call them."""
+ENCODER, FEEDBACK, MOTOR_DRIVER = "encoder", "feedback", "motor driver"
+"""Kinds of components at a port, and that of a part, as the repository's data call them."""
+MOTORS = "motors"
+"""The piece of the adapters that drives motors through the channels of motor drivers."""
 
 
 def of_plan(element: Element) -> migration.MigrationPlan | None:
@@ -157,20 +163,149 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
 @bindings.constraint(
     id="RS269",
     location=place,
-    advice="bind the port to the signal pin of a continuous servo, or write bodies that drive the motor driver's inputs",
+    advice="wire the channel to pins of the board as the message says, or bind the port to the signal pin of a continuous servo",
     guard=lambda b: b.role == SERVO,
 )
-def TakesPulsesOfAServo(b: migration.PortBinding) -> bool | Fail:
-    """A port that carries a servo's pulses is not on a motor driver, whose inputs take levels and PWM."""
-    plan, pin = of_plan(b), b.pin or (b.connection.pin if b.connection is not None else None)
+def DriverTurnsAMotor(b: migration.PortBinding) -> bool | Fail:
+    """A servo's port on a motor driver has a complete channel of its own, and functions that an adapter drives a motor for."""
+    plan, pin = of_plan(b), pin_of(b)
     assert plan is not None
     parts = [c.component for c in plan.connections if c.component is not None and c.pin is not None and c.pin is pin]
     driver = next((part for part in parts if wired(plan).facts(part).kind == MOTOR_DRIVER), None)
     if driver is None:
         return True
     where = pin.label if pin is not None else ""
-    what = f"the port '{b.name}' ({where}) carries a servo's pulses, but '{who(driver)}' there is a motor driver"
-    return fault(driver, f"{what}: the motor would not turn", pin=where)
+    why = _no_motor(plan, b, where)
+    what = f"the port '{b.name}' ({where}) cannot turn a motor through '{who(driver)}'"
+    return not why or fault(driver, f"{what}: {why}", pin=where)
+
+
+def _no_motor(plan: migration.MigrationPlan, b: migration.PortBinding, where: str) -> str:
+    """Why a port of a servo on a motor driver turns no motor; empty if it does."""
+    channel = channel_of(b, plan.motorChannels)
+    if channel is None:
+        return f"{where} is at no input for PWM or direction of a known motor driver"
+    if channel.missing:
+        return "; ".join(channel.missing)
+    if other := next((o for o in plan.portBindings if o is not b and channel_of(o, [channel]) is not None), None):
+        return f"the port '{other.name}' is on the same channel"
+    called = {str(call.calleeName) for call in port_calls(plan, b)}
+    for use in (use for use in plan.adapterUses if str(use.name) in called):
+        pieces = closure([use.adapter]) if use.adapter is not None else []
+        if use.function is not None and any(p.meaning is platform.Meaning.angle for p in use.function.parameters):
+            return f"{use.name} sets an angle, and a motor has none"
+        if any(_follows_an_angle(piece) for piece in pieces):
+            return f"{use.name} needs the angle that a servo reports, and a motor reports none"
+        if all(piece.name != MOTORS for piece in pieces):
+            return f"the target has no adapter that drives a motor for {use.name}"
+    return ""
+
+
+def _follows_an_angle(piece: platform.Adapter) -> bool:
+    """Whether a piece works with a servo that reports its angle."""
+    roles = {str(pin.componentRole) for pin in piece.pins}
+    return roles >= {SERVO, ENCODER} or any(port.componentRole == FEEDBACK for port in piece.ports)
+
+
+@bindings.critique(
+    id="RS270",
+    location=place,
+    advice="add a capacitor from the pin to ground and take the divider's resistor out, or read the voltage with analogRead",
+    guard=lambda b: bool(b.discharges) and b.connection is not None,
+)
+def HasACapacitor(b: migration.PortBinding) -> bool | Fail:
+    """Where functions measure the discharge of a capacitor, the part at the pin gives no voltage of its own without one."""
+    plan, connection = of_plan(b), b.connection
+    assert plan is not None
+    assert connection is not None
+    component = connection.component
+    w = wired(plan)
+    nets = [end.net for end in (*connection.connectors, *connection.boardConnectors) if end.net is not None]
+    if component is None or any(_is_capacitor(owner) for net in nets for owner, _ in w.on(net)):
+        return True
+    divider = _gives_voltage(w, connection) or _is_divided(w, component, nets)
+    if not divider or any(_is_capacitor(part) for part in connection.via):
+        return True
+    label = connection.pin.label if connection.pin is not None else ""
+    what = f"the port '{b.name}' ({label}) measures the discharge of a capacitor"
+    return fault(component, f"{what}, but '{who(component)}' there is a voltage divider without one", pin=label)
+
+
+def _is_capacitor(part: hardware.Component) -> bool:
+    return "capacitor" in f"{part.family} {part.partTitle} {part.title}".lower()
+
+
+def _gives_voltage(w: Wiring, connection: migration.Connection) -> bool:
+    """Whether a connector of a component is called the output of a voltage."""
+    return any(w.means(end, "analog") for end in connection.connectors)
+
+
+def _is_divided(w: Wiring, component: hardware.Component, nets: Sequence[hardware.Net]) -> bool:
+    """Whether a component of two terminals and a resistor join a pin to two different rails."""
+    own = {net for _, net in w.nets(component) if net.rail}
+    return len(component.connectors) == 2 and bool(own) and any(_resistor_rails(w, net) - own for net in nets if not net.rail)
+
+
+def _resistor_rails(w: Wiring, net: hardware.Net) -> set[hardware.Net]:
+    """The rails that a resistor joins a net to."""
+    passive = [owner for owner, _ in w.on(net) if owner.role is Role.Passive]
+    resistors = [owner for owner in passive if "resistor" in f"{owner.family} {owner.partTitle}".lower()]
+    return {far for owner in resistors for _, far in w.nets(owner) if far.rail}
+
+
+@bindings.critique(
+    id="RS271",
+    location=place,
+    advice="use a continuous rotation servo there, or a motor with a motor driver",
+    guard=lambda b: b.role == SERVO and b.connection is not None and b.connection.component is not None,
+)
+def TurnsOnAsAWheel(b: migration.PortBinding) -> bool | Fail:
+    """A servo that turns to an angle is not driven as a wheel."""
+    plan, connection = of_plan(b), b.connection
+    assert plan is not None
+    assert connection is not None
+    component = connection.component
+    assert component is not None
+    wheel = "it is a wheel of the drive" if b.conventionalPort is not None else _speed_function(plan, b)
+    if not wheel or not is_positional(component):
+        return True
+    label = connection.pin.label if connection.pin is not None else ""
+    what = f"'{who(component)}' ({label}) turns to an angle and cannot turn on"
+    return fault(component, f"{what}, but for the port '{b.name}' {wheel}", pin=label)
+
+
+def _speed_function(plan: migration.MigrationPlan, b: migration.PortBinding) -> str:
+    """The function that sets a speed at a port, as half a sentence; empty if there is none."""
+    called = {str(call.calleeName) for call in port_calls(plan, b)}
+    for use in plan.adapterUses:
+        told = use.function is not None and any(p.meaning is platform.Meaning.speed for p in use.function.parameters)
+        if told and str(use.name) in called:
+            return f"{use.name} sets a speed"
+    return ""
+
+
+@bindings.critique(
+    id="RS272",
+    location=place,
+    advice="add a level shifter or a voltage divider between them",
+    guard=lambda b: b.signal is not migration.Signal.read and pin_of(b) is not None,
+)
+def HostBearsTheLevels(b: migration.PortBinding) -> bool | Fail:
+    """The program does not drive a pin that is wired directly to another computer or board whose pins bear a lower voltage."""
+    plan, pin = of_plan(b), pin_of(b)
+    assert plan is not None
+    assert pin is not None
+    w, board = wired(plan), plan.boardComponent
+    volts = float(plan.board.volts) if plan.board is not None else 0.0
+    for connector, net in w.nets(board) if board is not None else ():
+        for host, end in w.on(net) if connector.pin == pin.label and not net.rail else ():
+            most = w.facts(host).signal_volts
+            if host is not board and host.role in (Role.Unknown, Role.Board) and most is not None and volts > most:
+                what = (
+                    f"the program drives {pin.label} with {volts:g} V, and it is wired to {displayed_name(end)} of '{who(host)}'"
+                )
+                return fault(host, f"{what}, whose pins bear {most:g} V", pin=pin.label)
+    return True
 
 
 @bindings.critique(

@@ -25,7 +25,15 @@ if TYPE_CHECKING:
     from robosmi.transformations.knowledge.parts_store import PartsFile
 
 _HEAD = re.compile(r"[ \t]*\[\[[ \t]*part[ \t]*\]\][ \t]*(#.*)?")
-_NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml", "wokwi_types.toml", "port_roles.toml")
+_NO_PARTS = (
+    "names.toml",
+    "roles.toml",
+    "curated.toml",
+    "electrical.toml",
+    "wokwi_types.toml",
+    "port_roles.toml",
+    "motor_drivers.toml",
+)
 """Files of the folder that other modules read."""
 _PART_KEYS = (
     "ids", "title", "family", "tags", "role", "evidence", "driver", "connectors", "buses", "properties", "description", "shapes",

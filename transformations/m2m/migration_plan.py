@@ -21,7 +21,7 @@ from robosmi.transform import Trace
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_repository
 from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice, settle_libraries
 from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY, LibraryModels, choose_libraries
-from robosmi.transformations.m2m.choices.plan_checks import plan_checks, port_calls
+from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten
@@ -30,7 +30,7 @@ from robosmi.transformations.m2m.ports.port_texts import port_changes
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
-from robosmi.transformations.queries.plans.plan_adapters import closure
+from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
 
@@ -54,11 +54,12 @@ class UserLibraries(Struct, frozen=True):
 
 
 class Hardware(Struct, frozen=True):
-    """The hardware side of a migration: the drawing's circuit, its board component and the board's connections."""
+    """The hardware side of a migration: the drawing's circuit, its board component, the board's connections and motors."""
 
     circuit: hardware.Circuit
     board: hardware.Component
     connections: Sequence[migration.Connection]
+    motor_channels: Sequence[migration.MotorChannel] = ()
 
 
 def judge_program(
@@ -211,6 +212,7 @@ def put_together(
         widenings=d.widened.widenings,
         concurrency=d.dependence.concurrency,
         connections=connections,
+        motorChannels=list(d.drawn.motor_channels) if d.drawn else [],
         portBindings=list(d.bindings),
         portFlows=port_changes(d.ports, d.bindings, d.files, arrays=any(h.name == "ports" for h in d.dependence.helpers)),
         libraryChoices=list(d.choices),

@@ -21,6 +21,7 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
@@ -340,6 +341,7 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
             )
     bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
     bound |= {id(b.answer.pin) for b in plan.portBindings if b.answer is not None}
+    bound |= {id(pin) for pin in pins_for_motors(plan)}
     for connection in plan.connections:
         component = connection.component
         if id(connection.pin) not in bound and component is not None and component.role is not hardware.Role.Unknown:

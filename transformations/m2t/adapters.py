@@ -16,6 +16,7 @@ from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2t.adapter_text import comment, declarations, includes, is_separated, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.plans.motors import servo_pins
 from robosmi.transformations.queries.plans.plan import is_at_declaration, needs_own_types, target_of
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, port_literals
@@ -99,6 +100,7 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
         "declarations": [
             *_cores(plan),
             *_servos(plan, pieces),
+            *_motors(plan, pieces),
             *_split_wires(plan, pieces),
             *declarations(pieces, pins, UNBOUND, numbers, storage),
         ],
@@ -169,6 +171,28 @@ def _servos(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -
 
 SERVO_TRIMS = "servo_us"
 """The piece that gives servos the measured pulse widths."""
+
+
+def _motors(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -> list[str]:
+    """A table for the pieces that drive motors: the pins of each complete channel, and the pin that stands for its servo."""
+    if not any(piece.name == MOTORS for piece in pieces):
+        return []
+    rows = [
+        f"  {{{', '.join(pin_literal(pin) if pin is not None else 'NO_PIN' for pin in pins)}}},"
+        for pins in (servo_pins(channel, plan.portBindings) for channel in plan.motorChannels if not channel.missing)
+    ]
+    about = (
+        "// Channels of motor drivers: the pin that stands for the servo, those for PWM (none: PWM at the directions), forward,"
+    )
+    kinds = "uint8_t port, enable, first, second, awake;"
+    return [
+        "", about, "// backward, and the pin that is high while the driver works", f"#define NO_PIN {UNBOUND}",
+        f"static const struct MotorPins {{ {kinds} }} motor_pins[] = {{", *rows, "};",
+    ]  # fmt: skip
+
+
+MOTORS = "motors"
+"""The piece that drives motors through the channels of motor drivers."""
 
 
 def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -> list[str]:

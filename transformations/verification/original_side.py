@@ -165,7 +165,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         if title:
             title = f"{title} {facts.get('tells_as', '')}".rstrip()
             found[title] = [_told(trace, number, facts, measures)]
-    if wheels := [port for port in ports if port.loop_ms and port.compared and "servo" in port.pin.split()]:
+    if wheels := [p for p in ports if p.loop_ms and p.compared and not p.motor and "servo" in p.pin.split()]:
         pins = [port.target if target else port.source for port in wheels]
         found[f"{' and '.join(port.title for port in wheels)}{STANDING}"] = [_standing(trace, pins)]
     found[CONSOLE_CHANNEL] = [console_lines(trace, measures)]

@@ -13,6 +13,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw, platform
 from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, Drawing, read_drawing
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
+from robosmi.transformations.m2m.circuits.motor_channels import motor_channels
 from robosmi.transformations.m2m.migration_plan import Hardware
 from robosmi.transformations.queries.circuits.circuit import of_board, the_board
 
@@ -61,7 +62,14 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
     files = {copy: inputs.read_bytes(path, inputs.DRAWING)}
     for name in drawing.circuit.companions:
         files[f"source/{name}"] = inputs.read_bytes(path.parent / name, inputs.DRAWING)
-    return StoredDrawing(Hardware(drawing.circuit, component, connections), board, str(path), copy, files, drawing.findings)
+    return StoredDrawing(
+        Hardware(drawing.circuit, component, connections, motor_channels(connections)),
+        board,
+        str(path),
+        copy,
+        files,
+        drawing.findings,
+    )
 
 
 def _board_of(drawing: Drawing) -> hw.Component:

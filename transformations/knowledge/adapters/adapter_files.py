@@ -42,7 +42,20 @@ HAL = "hal"
 """The hardware layer: what its files have in the place of a header, and the folder that they are in."""
 ARCHITECTURE = "architecture"
 """A line `//# architecture NAME...` after the header's line: all pieces of the file are for these; also a key of a piece."""
-_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", ARCHITECTURE, "members", "beside", "library", "symmetric")
+_LISTS = (
+    "needs",
+    "include",
+    "timer",
+    "vector",
+    "taken",
+    "mcu",
+    ARCHITECTURE,
+    "members",
+    "beside",
+    "drawn",
+    "library",
+    "symmetric",
+)
 _ATTRIBUTES = {
     "include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", ARCHITECTURE: "architectures",
     "library": "libraries",
@@ -97,7 +110,7 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
         raise _wrong(Location(str(path)), "the source platform's header is missing", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str, str]] = set()
     for piece in pieces:
-        conditions = (sorted(piece.members), sorted(piece.beside), sorted(piece.architectures))
+        conditions = (sorted(piece.members), sorted(piece.beside), sorted(piece.drawn), sorted(piece.architectures))
         condition = " beside ".join(" ".join(names) for names in conditions)
         for mcu in piece.mcus or [""]:
             if (piece.name, mcu, condition) in seen:

@@ -122,6 +122,7 @@ class AdapterPiece(Struct):
         architectures: processor architectures that this variant is for; empty for all others.
         members: this variant is for programs that use one of these members of a record; empty for all programs.
         beside: this variant is for programs that call one of these functions; empty for all programs.
+        drawn: this variant is for drawings with parts of all these kinds on the board's pins; empty for all drawings.
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
         tables: tables in which it looks up ports.
@@ -155,6 +156,7 @@ class AdapterPiece(Struct):
     architectures: list[str] = []
     members: list[str] = []
     beside: list[str] = []
+    drawn: list[str] = []
     pins: list[AdapterPin] = []
     ports: list[ConventionalPort] = []
     tables: list[PortTable] = []

@@ -57,6 +57,8 @@ class AdapterChoice:
         widened: whether the program's numbers are written with the widths of the source, which are those of adapters.
         members: of the platform's records, which the program uses by name.
         calls: the functions that the program calls and does not define.
+        architecture: of the microcontroller.
+        drawn: the kinds of the parts on the board's pins, as the marker `drawn` has them.
 
     Attributes:
         chosen_pieces: the pieces that elements were made of.
@@ -73,9 +75,10 @@ class AdapterChoice:
         members: Collection[str] = (),
         calls: Collection[str] = (),
         architecture: str = "",
+        drawn: Collection[str] = (),
     ) -> None:
         self.index, self.api, self.mcu, self.filled, self.widened = index, api, mcu, filled, widened
-        self.pieces = AdapterPieces(index, members, calls, architecture)
+        self.pieces = AdapterPieces(index, members, calls, architecture, drawn)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
         self.chosen_pieces: list[AdapterPiece] = []
         self._unserved: dict[str, UnservedHeader] = {}
@@ -209,6 +212,7 @@ def adapter_choice(
     widened: bool,
     members: Collection[str],
     calls: Collection[str],
+    drawn: Collection[str] = (),
 ) -> AdapterChoice:
     """Make the choice of adapters for a plan.
 
@@ -220,6 +224,7 @@ def adapter_choice(
         widened: whether the program's numbers are written with the widths of the source.
         members: of the platform's records, which the program uses by name.
         calls: the functions that the program calls and does not define.
+        drawn: the kinds of the parts on the board's pins, as the marker `drawn` has them.
 
     Raises:
         UsageError: adapters are neither filled nor placeholders.
@@ -229,8 +234,9 @@ def adapter_choice(
     chip = board.microcontroller
     mcu, architecture = (str(chip.name), str(chip.architecture)) if chip is not None else ("", "")
     return AdapterChoice(
-        index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members, calls=calls, architecture=architecture
-    )
+        index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members, calls=calls, architecture=architecture,
+        drawn=drawn,
+    )  # fmt: skip
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:

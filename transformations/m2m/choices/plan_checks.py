@@ -13,7 +13,7 @@ from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.circuits.connector_names import wire_name
-from robosmi.transformations.queries.plans.plan_adapters import closure, setup_statements
+from robosmi.transformations.queries.plans.plan_adapters import port_calls, setup_statements
 from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 
@@ -110,19 +110,3 @@ def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding])
     if role is hardware.Role.Input:
         shown = f"{shown} {'read' if len(names) > 1 else 'reads'}"
     return said.format(shown)
-
-
-def port_calls(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[ccode.Call]:
-    """The calls of platform functions that drive or read a port, in text order, except calls in macro bodies.
-
-    Args:
-        plan: the plan.
-        binding: the port's binding.
-    """
-    calls = [c for flow in plan.portFlows if any(b is binding for b in flow.bindings) for c in flow.calls]
-    if (port := binding.conventionalPort) is not None:
-        uses = [
-            u for u in plan.adapterUses if u.adapter is not None and any(port is p for a in closure([u.adapter]) for p in a.ports)
-        ]
-        calls += [c for use in uses for c in use.calls]
-    return sorted(calls, key=lambda c: int(c.startOffset))

@@ -22,7 +22,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean, placed
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
@@ -115,7 +115,23 @@ def bind_ports(
             seat = _seat(port, binding, found, api, split)
             binding.role = seat.role
             rank(seat, _within_reach(binding, bindings, connections))
+        binding.mirrored = _is_mirrored(port, api)
+        timing: Sequence[str] = api.settings.get("ports", {}).get("discharges", ())
+        binding.discharges = any(use.function in timing for use in port.uses)
     return bindings
+
+
+def _is_mirrored(port: Port, api: ApiIndex) -> bool:
+    """Whether the platform says that the servo at a port is mounted the other way round: by its name, or an argument's place."""
+    known: Sequence[str] = api.settings.get("ports", {}).get("mirrored", ())
+    places = {
+        f"{use.function} {position}"
+        for use in port.uses
+        if isinstance(use.call, ccode.Call)
+        for position, argument in enumerate(use.call.arguments)
+        if argument is use.argument
+    }
+    return not places.union((port.name, *port.names)).isdisjoint(known)
 
 
 def _within_reach(

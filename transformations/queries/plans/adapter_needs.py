@@ -3,7 +3,7 @@
 The result is the transitive closure of the `needs` that pieces declare. A name is looked up in the piece's own header first,
 then in all headers; `servo.h/servo_set` names a piece of another header, `hal/Io` one of the hardware layer. A variant for a
 microcontroller takes precedence over one for an architecture, and that one over one for all of them; a variant for records or
-functions that the program uses takes precedence over all three.
+functions that the program uses, or for parts in its drawing, takes precedence over all three.
 """
 
 from __future__ import annotations
@@ -48,6 +48,7 @@ class AdapterPieces:
         members: names of the members that the program uses of records that it does not declare.
         calls: names of the functions that the program calls and does not define.
         architecture: of the target's processor; without one, variants for architectures do not fit.
+        drawn: the kinds of the parts on the board's pins, as the marker `drawn` has them.
     """
 
     def __init__(
@@ -56,8 +57,10 @@ class AdapterPieces:
         members: Collection[str] = (),
         calls: Collection[str] = (),
         architecture: str = "",
+        drawn: Collection[str] = (),
     ) -> None:
         self.members, self.calls, self.architecture = frozenset(members), frozenset(calls), architecture
+        self.drawn = frozenset(drawn)
         self._source: PieceSource = _Listed(source) if isinstance(source, Iterable) else source
         self._known: dict[str, dict[str, list[list[AdapterPiece]]]] = {}
 
@@ -94,12 +97,13 @@ class AdapterPieces:
         return None
 
     def _fits(self, piece: AdapterPiece, mcu: str) -> bool:
-        """Whether a variant's conditions (processor, members, calls; empty ones always hold) fit the program."""
+        """Whether a variant's conditions (processor, members, calls, parts; empty ones always hold) fit the program."""
         return (
             (not piece.mcus or mcu in piece.mcus)
             and (not piece.architectures or self.architecture in piece.architectures)
             and (not piece.members or not self.members.isdisjoint(piece.members))
             and (not piece.beside or not self.calls.isdisjoint(piece.beside))
+            and self.drawn.issuperset(piece.drawn)
         )
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
@@ -163,8 +167,8 @@ class AdapterPieces:
         return ""
 
 
-def _precedence(piece: AdapterPiece) -> tuple[bool, bool, bool]:
-    return bool(piece.members or piece.beside), bool(piece.mcus), bool(piece.architectures)
+def _precedence(piece: AdapterPiece) -> tuple[bool, int, bool, bool]:
+    return bool(piece.members or piece.beside), len(piece.drawn), bool(piece.mcus), bool(piece.architectures)
 
 
 class _Listed:

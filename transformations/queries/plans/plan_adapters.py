@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.api_facts import DIRECTIONS, PinFacts, PinParameter
 
@@ -48,6 +48,22 @@ def limits(use: migration.AdapterUse) -> list[str]:
     """The limits of a use's adapter and of the pieces it depends on: what they do not do, as sentences."""
     pieces = closure([use.adapter]) if use.adapter is not None else []
     return list(dict.fromkeys(str(limit) for piece in reversed(pieces) for limit in piece.limits))
+
+
+def port_calls(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[ccode.Call]:
+    """The calls of platform functions that drive or read a port, in text order, except calls in macro bodies.
+
+    Args:
+        plan: the plan.
+        binding: the port's binding.
+    """
+    calls = [c for flow in plan.portFlows if any(b is binding for b in flow.bindings) for c in flow.calls]
+    if (port := binding.conventionalPort) is not None:
+        uses = [
+            u for u in plan.adapterUses if u.adapter is not None and any(port is p for a in closure([u.adapter]) for p in a.ports)
+        ]
+        calls += [c for use in uses for c in use.calls]
+    return sorted(calls, key=lambda c: int(c.startOffset))
 
 
 class OwnFunctionPins:

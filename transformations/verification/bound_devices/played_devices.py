@@ -65,6 +65,11 @@ def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
             places = dict(zip(split["pins"], first.split, strict=True))
             found.append(PlayedDevice(split["kind"], tuple(numbers), places, first.settings))
             continue
+        motor = next((ports[n].motor for n in numbers if ports[n].motor), None) if target else None
+        if motor is not None:
+            places = {**{called: place for called, place in wired.items() if called != "servo"}, **motor}
+            found.append(PlayedDevice(device_facts()[first.device]["motor"], tuple(numbers), places, first.settings))
+            continue
         if (wired or on_bus) and set(device_class(first.device).pin_names) <= wired.keys():
             found.append(PlayedDevice(first.device, tuple(numbers), wired, first.settings))
     return found

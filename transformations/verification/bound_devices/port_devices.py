@@ -35,6 +35,7 @@ from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.place_names import named, names_within
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of, servo_pins
 from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import program_ports
@@ -78,6 +79,7 @@ class BoundPort(Struct, frozen=True):
         averaged: whether it represents a voltage, so that only the duty cycle of a wave there is compared.
         kinds: kinds of the component, known by its name (`parts/port_roles.toml`).
         split: labels of the target's pins that trigger the component and receive its answer, if these are two; otherwise empty.
+        motor: the wheel's name of an input of the motor driver -> label of the target's pin, if a motor takes the servo's place.
         given_up: whether a person or a rule said that it is on no pin of the target.
         shares_with: title of another port that has the same pin of the source and another one of the target; otherwise empty.
             In the source's trace the two cannot be told apart.
@@ -107,6 +109,7 @@ class BoundPort(Struct, frozen=True):
     called_at: frozenset[tuple[str, int]] = frozenset()
     kinds: frozenset[str] = frozenset()
     split: tuple[str, ...] = ()
+    motor: Mapping[str, str] = {}
     given_up: bool = False
     shares_with: str = ""
     loop_ms: float = 0.0
@@ -183,7 +186,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             averaged=bool(used) and bool(averaged & used.keys()),
             pulsed=not pulses.isdisjoint(used) and used.keys() <= pulses | beside,
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
-            split=_split(plan, binding), given_up=not binding.open, near=near,
+            split=_split(plan, binding), motor=_motor(plan, binding), given_up=not binding.open, near=near,
             called_at=frozenset(places.get(number, ())) if used else frozenset(),
         )  # fmt: skip
         first = found.setdefault(source, port)
@@ -193,6 +196,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             found[source] = replace(first, shares_with=port.title)
             others.append(replace(port, shares_with=first.title, device="", pin=""))
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
+    found = {source: _with_motor(port) for source, port in found.items()}
     for source in _asked_by_convention(plan):
         there = found.get(source)
         if there is not None and not there.device and not there.line:
@@ -211,6 +215,30 @@ def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
         and not port.componentRole
         and int(binding.sourcePin) >= 0
     ]
+
+
+_MOTOR_SPEED = 128
+"""The greatest speed, in ticks/s, of a wheel whose motor takes the place of a servo: that of full power."""
+
+
+def _with_motor(port: BoundPort) -> BoundPort:
+    """The port with the wheel whose motion is compared if a motor takes the place of the servo: its pulses are levels there."""
+    if not port.motor or (port.device and "servo" not in port.pin.split()):
+        return port
+    settings = {**port.settings, "ticks_per_s_limit": _MOTOR_SPEED}
+    if port.device:
+        return replace(port, settings=settings, shown=False)
+    return replace(port, device="wheel", pin="servo", group=port.source, settings={**settings, "timed": 1}, timed=True)
+
+
+def _motor(plan: migration.MigrationPlan, binding: migration.PortBinding) -> dict[str, str]:
+    """The pins of the motor driver's channel that serves a port; empty if it is on none."""
+    channel = channel_of(binding, (each for each in plan.motorChannels if not each.missing))
+    if channel is None or binding.role != SERVO:
+        return {}
+    _, enable, first, second, awake = servo_pins(channel, [binding])
+    pins = {"enable": enable, "first": first, "second": second, "awake": awake}
+    return {name: str(pin.label) for name, pin in pins.items() if pin is not None}
 
 
 def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:

@@ -32,6 +32,7 @@ class SimulatedKind(TypedDict, total=False):
     rest_of: dict[str, dict[str, Json]]
     values: dict[str, list[Json]]
     hold_ms: int
+    motor: str
     limits: dict[str, list[Json]]
     ends: dict[str, list[Json]]
     jitter: dict[str, float]

@@ -26,7 +26,7 @@ class Wheel(PulseDriven):
     rest_us = (130_000.0, 135_000.0)  # within one motion drive_goto waits for six frames, 120 ms; between two for seven at least
     least_motion = 0.5
 
-    optional_pin_names = ("encoder",)
+    optional_pin_names: tuple[str, ...] = ("encoder",)
     setting_names: ClassVar[Mapping[str, Json]] = {
         "neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0, "starts_at": 0.5, "timed": 1,
     }  # fmt: skip

@@ -18,7 +18,7 @@ class _Run(NodeBench):
 
     def __init__(self, process: subprocess.Popen[str], job: Job, title: str) -> None:
         super().__init__(process, job, title)
-        self._timers = Timers(job.timers, job.pins, job.clock_hz)
+        self._timers = Timers(job.timers, job.pins, job.clock_hz, self.wave_changed)
 
     @staticmethod
     def ticks_hz(job: Job) -> int:

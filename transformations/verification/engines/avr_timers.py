@@ -7,7 +7,7 @@ timers come with the job (`platform_repo/simulation/avr.toml`). The modes are th
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
@@ -42,13 +42,21 @@ class Timers:
         facts: timer -> its registers, channels and prescalers, as in `platform_repo/simulation/avr.toml`.
         pins: label of each pin -> port letter and bit.
         clock_hz: clock of the microcontroller in hertz.
+        changed: called with a pin's label, and the frequency and duty cycle of each new waveform there.
 
     Attributes:
         waves: the waveforms found, by time.
         registers: the addresses whose writes have to be reported.
     """
 
-    def __init__(self, facts: Mapping[str, Mapping[str, Json]], pins: Mapping[str, str], clock_hz: int) -> None:
+    def __init__(
+        self,
+        facts: Mapping[str, Mapping[str, Json]],
+        pins: Mapping[str, str],
+        clock_hz: int,
+        changed: Callable[[str, float, float], None],
+    ) -> None:
+        self._changed = changed
         self.waves: list[Wave] = []
         self._clock_hz = clock_hz
         self._labels = {port: label for label, port in pins.items()}
@@ -79,6 +87,7 @@ class Timers:
                 if self.waves and self.waves[-1].pin == label and at_us - self.waves[-1].at_us < _ONE_CHANGE_US:
                     self.waves.pop()  # a wave is set up register by register
                 self.waves.append(Wave(at_us, label, *wave))
+                self._changed(label, *wave)
 
     def _wave(self, timer: Mapping[str, Any], channel: Mapping[str, Any]) -> tuple[float, float]:
         """Frequency (Hz) and duty cycle (0 to 1) of a channel; zeros when it makes no waveform."""

@@ -42,6 +42,7 @@ class _Run(NodeBench):
         if own is not None and wave.at_us - self._waves[own].at_us < _ONE_CHANGE_US:
             del self._waves[own]
         self._waves.append(wave)
+        self.wave_changed(wave.pin, wave.hz, wave.duty)
 
     @property
     def waves(self) -> list[Wave]:

@@ -111,7 +111,7 @@ class _Run(Bench):
         self._watch_ports()
         self._watch_console()
         self._watch_bus()
-        self.timers = Timers(job.timers, job.pins, job.clock_hz)
+        self.timers = Timers(job.timers, job.pins, job.clock_hz, self.wave_changed)
         for address in self.timers.registers:
             self._watch_register(address)
         self._writing_until = 0.0

@@ -69,7 +69,7 @@ def foreign_pin(
     """
     driven = _driven(source)
     its_own = {port.target for port in ports if not _only_read(port) or port.source in driven}
-    its_own |= {pin for port in ports for pin in port.split}
+    its_own |= {pin for port in ports for pin in (*port.split, *port.motor.values())}
     named = {port.target: port.title for port in ports}
     begins = sorted((at_us, pin) for pin, at_us in _driven(target, at_rest).items())
     for at_us, pin in begins:

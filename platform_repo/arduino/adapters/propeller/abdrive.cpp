@@ -51,14 +51,6 @@ static int16_t drive_step = 12;
 //#   ram: 2
 static int16_t drive_goto_step = 4;
 
-//# helper drive_pulse
-//#   fidelity: open loop: 128 ticks/s are taken as 200 us beyond neutral. Real servos reach their speed earlier: measure a table, and
-//#   fidelity: put it into robosmi.toml, [servos]
-inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
-  int32_t by16 = (int32_t)speed * 25;
-  return (int16_t)((by16 < 0 ? by16 + 15 : by16) >> 4);
-}
-
 //# helper wheels
 //#   needs: hal/PinInput hal/Uninterrupted
 //#   ram: 72
@@ -101,8 +93,41 @@ static void (*drive_counts)();  // what begins to count encoder ticks when the d
 //#   ram: 2
 static uint8_t drive_pins[2] = {left_servo, right_servo};
 
+//# helper drive_us
+//#   needs: wheels servo.h/servo_us
+//#   fidelity: open loop: 128 ticks/s are taken as 200 us beyond neutral. Real servos reach their speed earlier: measure a table, and
+//#   fidelity: put it into robosmi.toml, [servos]
+//#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_us)
+inline int16_t drive_us(const Wheel &wheel, uint8_t side, bool) {  // the pulse for the wheel's speed
+  int32_t by16 = (int32_t)wheel.speed * 25;
+  int16_t beyond = (by16 < 0 ? by16 + 15 : by16) >> 4;
+  return servo_us(wheel.pin, wheel.speed, side ? 1500 - beyond : 1500 + beyond);
+}
+
+//# helper drive_us
+//#   drawn: motor-driver encoder
+//#   needs: wheels drive_encoders servo.h/servo_us hal/Uninterrupted
+//#   fidelity: closed loop: the motor is driven faster by 5 ticks/s for each encoder tick that its wheel is behind, and slower for each
+//#   fidelity: that it is ahead, by 64 ticks/s at most; 128 ticks/s are taken as full power, or as a table in robosmi.toml, [servos], says
+//#   ram: 12
+inline int16_t drive_us(const Wheel &wheel, uint8_t side, bool anew) {  // the pulse for the wheel's speed; anew: it stood before
+  static struct {
+    int32_t ticks;
+    int16_t behind;  // in 1/50 of a tick
+  } loops[2];
+  auto &own = loops[side];
+  (void)drive_counts_from_its_start;
+  int32_t ticks = wheel.whole(wheel.ticks);
+  if (anew || !wheel.input.wired()) own.behind = -25;
+  else own.behind = constrain(own.behind + wheel.speed - 50 * (ticks - own.ticks), -640, 640);
+  own.ticks = ticks;
+  int16_t speed = wheel.speed + (anew || !wheel.input.wired() ? 0 : own.behind / 10);
+  int16_t beyond = (int32_t)speed * 25 / 16;
+  return servo_us(wheel.pin, speed, side ? 1500 - beyond : 1500 + beyond);
+}
+
 //# helper drive_frame
-//#   needs: wheels drive_top drive_pulse servo.h/ServoSlot servo.h/servo_us hal/ServoPin
+//#   needs: wheels drive_top drive_us servo.h/servo_slot
 //#   ram: 3
 static void (*drive_goto_frame)(Wheel &wheel);
 static volatile uint8_t drive_frames;
@@ -125,11 +150,9 @@ inline void drive_frame() {
     wheel.way50 += speed;
     ServoSlot *slot = servo_slot(wheel.pin, false);
     if (slot && speed) {
-      int16_t beyond = drive_pulse(speed), us = servo_us(wheel.pin, speed, side ? 1500 - beyond : 1500 + beyond);
-      if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
-      else slot->start(us);
+      slot->send(drive_us(wheel, side, !before));
     } else if (slot && drive_frames > 0) {
-      if (slot->servo->attached()) slot->rest();
+      if (slot->runs()) slot->rest();
     }
     if (!speed && wheel.rest) wheel.rest--;
   }
@@ -149,7 +172,7 @@ inline void drive_wait_rest() {
 }
 
 //# helper drive_start
-//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/frames servo.h/servo_us hal/Io hal/ServoPin
+//#   needs: drive_frame drive_pins wheels servo.h/servo_slot servo.h/frames servo.h/servo_us hal/Io
 //#   ram: 1
 static bool drive_on;
 
@@ -161,7 +184,7 @@ inline void drive_start() {  // as long as the library takes for the start of it
     ServoSlot *slot = Io(drive_pins[side]).wired() ? servo_slot(drive_pins[side], true) : 0;
     if (!slot) continue;
     slot->own = true;
-    slot->start(servo_us(drive_pins[side], 0, 1500));
+    slot->send(servo_us(drive_pins[side], 0, 1500));
   }
   if (drive_counts) drive_counts();
   do_each_frame(drive_frame);
@@ -213,7 +236,6 @@ static DriveCounts drive_counts_from_its_start;
 //#   role: servo
 //#   fidelity: acts on a change only, and returns after 6 frames (100 to 120 ms), later when a wheel rests, while the ramp goes on; the
 //#   fidelity: first call starts the drive, which takes 140 ms
-//#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_pulse)
 //#   ram: 4
 //#   stack: 48 30
 //#   interrupt: TIMER0_COMPA_vect 61 59

@@ -85,6 +85,97 @@ inline void do_each_frame(void (*job)()) {
   count_frames();
 }
 
+//# helper frames
+//#   drawn: motor-driver
+//#   needs: background hal/Uninterrupted hal/periods simpletools.h/TimedInput
+//#   fidelity: frame jobs every 20 ms, up to 1 ms late; no timer is taken for them, so that motors have PWM on all its pins
+//#   ram: 9
+static void (*frame_jobs[3])();
+static uint8_t frames_owed;  // that have waited
+
+inline void do_frame_jobs() {
+  static volatile bool under_way = false;
+  {
+    Uninterrupted now;
+    if (!frames_owed || under_way) return;
+    under_way = true;
+    frames_owed--;
+  }
+  for (auto job : frame_jobs)
+    if (job) job();
+  under_way = false;
+}
+
+inline void do_owed_frames() {
+  for (uint8_t owed = frames_owed; owed; owed--) do_frame_jobs();
+}
+
+inline void frame_period() {
+  static uint16_t due = (uint16_t)micros();
+  if ((int16_t)((uint16_t)micros() - due) >= 0) {
+    due += 20000;
+    if (frames_owed < 3) frames_owed++;
+  }
+  if (frames_wait) frames_wait--;
+  else do_frame_jobs();
+}
+
+inline void do_each_frame(void (*job)()) {
+  Uninterrupted now;
+  add_job(frame_jobs, job);
+  frames_due = do_owed_frames;
+  each_period = frame_period;
+  count_periods();
+}
+
+//# helper motors
+//#   needs: hal/Io
+//#   fidelity: a motor's share of full power is that of 200 us which a servo's pulse is longer than 1,500 us, backwards for a shorter
+//#   fidelity: one; at a stand, and without pulses, all inputs are low and the motor coasts
+//#   limit: motors turn as fast as their supply and load let them: a servo's 128 ticks/s are full power; measure a table for robosmi.toml, [servos]
+struct Motor {
+  const MotorPins *pins;
+  int16_t share;  // in 1/255 of full power, backwards if negative
+  bool on;
+
+  explicit operator bool() const { return pins; }
+  void find(uint8_t pin) {
+    pins = 0;
+    for (const auto &each : motor_pins)
+      if (each.port == pin) pins = &each;
+  }
+  void turn(int16_t asked) {
+    if (on && asked == share) return;
+    share = asked;
+    uint8_t ahead = asked < 0 ? pins->second : pins->first, behind = asked < 0 ? pins->first : pins->second;
+    if (!on) output(pins->awake, true);
+    on = true;
+    if (pins->enable == NO_PIN) {
+      analogWrite(behind, 0);
+      analogWrite(ahead, abs(asked));
+      return;
+    }
+    output(behind, false);
+    output(ahead, asked != 0);
+    analogWrite(pins->enable, abs(asked));
+  }
+  void send(int16_t us) { turn((constrain(us, 1300, 1700) - 1500) * 51 / 40); }
+  void rest() {
+    turn(0);
+    on = false;
+  }
+  void release() {
+    rest();
+    const uint8_t inputs[] = {pins->enable, pins->first, pins->second};
+    for (uint8_t input : inputs) Io(input).drive(false);
+  }
+  static void output(uint8_t pin, bool high) {
+    Io io(pin);
+    io.set(high);
+    io.drive_for_library();
+  }
+};
+
 //# helper ServoSlot
 //#   needs: hal/Io hal/ServoPin
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
@@ -93,13 +184,80 @@ struct ServoSlot : ServoPin {
   bool used, own;              // own: of a drive, which servo_stop and the like leave alone
   int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
 
+  bool take() {  // the place for the servo at its pin
+    if (!servo) servo = new Servo;
+    return true;
+  }
+  bool runs() const { return servo->attached(); }
+  void send(int16_t us) {
+    if (runs()) servo->writeMicroseconds(us);
+    else start(us);
+  }
   void release() {
-    if (servo->attached()) rest();
+    if (runs()) rest();
     Io(pin).drive(false);
   }
 };
 static ServoSlot servo_slots[servo_places];
 
+//# helper ServoSlot
+//#   drawn: motor-driver
+//#   needs: motors
+//#   fidelity: as many motors as the drivers have channels wired to the board; nothing happens at other pins
+//#   ram: 36
+struct ServoSlot {
+  uint8_t pin;
+  bool used, own;              // own: of a drive, which servo_stop and the like leave alone
+  int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
+  Motor motor;
+
+  bool take() {  // the place for the motor at its pin
+    motor.find(pin);
+    return (bool)motor;
+  }
+  bool runs() const { return motor.on; }
+  void send(int16_t us) { motor.send(us); }
+  void rest() { motor.rest(); }
+  void release() { motor.release(); }
+};
+static ServoSlot servo_slots[sizeof motor_pins / sizeof *motor_pins];
+
+//# helper ServoSlot
+//#   drawn: motor-driver servo
+//#   needs: hal/Io hal/ServoPin motors
+//#   fidelity: servos as without motors, but their ramps move up to 1 ms beside their pulses
+//#   limit avr: no PWM for motors on pins 9 and 10 of an Uno while a servo gets pulses
+//#   ram: 202
+struct ServoSlot : ServoPin {
+  bool used, own;              // own: of a drive, which servo_stop and the like leave alone
+  int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
+  Motor motor;
+
+  bool take() {  // the place for the motor or the servo at its pin
+    motor.find(pin);
+    if (!motor && !servo) servo = new Servo;
+    return true;
+  }
+  bool runs() const { return motor ? motor.on : servo->attached(); }
+  void send(int16_t us) {
+    if (motor) motor.send(us);
+    else if (runs()) servo->writeMicroseconds(us);
+    else start(us);
+  }
+  void rest() {
+    if (motor) motor.rest();
+    else ServoPin::rest();
+  }
+  void release() {
+    if (motor) return motor.release();
+    if (runs()) rest();
+    Io(pin).drive(false);
+  }
+};
+static ServoSlot servo_slots[servo_places];
+
+//# helper servo_slot
+//#   needs: ServoSlot
 inline ServoSlot *servo_slot(int32_t pin, bool make) {
   ServoSlot *free = 0;
   for (auto &slot : servo_slots) {
@@ -107,8 +265,8 @@ inline ServoSlot *servo_slot(int32_t pin, bool make) {
     if (!slot.used && !free) free = &slot;
   }
   if (!make || !free) return 0;
-  if (!free->servo) free->servo = new Servo;
   free->pin = pin;
+  if (!free->take()) return 0;
   free->own = false;
   free->step = 2000;
   free->used = true;
@@ -138,7 +296,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //# adapter servo_set
 //#   for: int servo_set(int pin, int time)
 //#   kind: oneToMany
-//#   needs: ServoSlot hal/Io hal/Uninterrupted hal/ServoPin
+//#   needs: servo_slot hal/Io hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 //#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
@@ -170,8 +328,8 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
     slot->asked = time;
   }
   for (auto &each : servo_slots)  // those that servo_stop has ended go on, as they do when the library's cog starts again
-    if (each.used && !each.own && !each.servo->attached()) each.start(each.sent);
-  if (slot->step >= 2000) slot->servo->writeMicroseconds(slot->sent = time);
+    if (each.used && !each.own && !each.runs()) each.send(each.sent);
+  if (slot->step >= 2000) slot->send(slot->sent = time);
   return known;
 }
 
@@ -207,7 +365,7 @@ inline int32_t servo_speed(int32_t pin, int32_t speed) {
 //# adapter servo_get
 //#   for: int servo_get(int pin)
 //#   kind: oneToOne
-//#   needs: ServoSlot hal/Uninterrupted
+//#   needs: servo_slot hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: the width last sent in microseconds, on the way of a ramp too; -4 for a pin without a servo
 //#   stack: 4 0
@@ -222,7 +380,7 @@ inline int32_t servo_get(int32_t pin) {
 //# adapter servo_setramp
 //#   for: int servo_setramp(int pin, int stepSize)
 //#   kind: semantic
-//#   needs: ServoSlot frames hal/ServoPin
+//#   needs: servo_slot frames
 //#   pin: pin digital out servo
 //#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
 //#   stack: 2 0
@@ -231,11 +389,11 @@ inline int32_t servo_get(int32_t pin) {
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void servo_ramps() {
   for (auto &slot : servo_slots) {
-    if (!slot.used || slot.own || !slot.servo->attached()) continue;
+    if (!slot.used || slot.own || !slot.runs()) continue;
     int16_t difference = slot.asked - slot.sent;
     if (!difference) continue;
     slot.sent += constrain(difference, -slot.step, slot.step);
-    slot.servo->writeMicroseconds(slot.sent);
+    slot.send(slot.sent);
   }
 }
 

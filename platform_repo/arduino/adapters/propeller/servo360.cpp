@@ -245,7 +245,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
 }
 
 //# helper servo360_run
-//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/frames servo.h/servo_us hal/ServoPin
+//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/servo_slot servo.h/frames servo.h/servo_us
 //#   ram: 1
 inline void servo360_frame() {
   bool alive[4];
@@ -271,8 +271,7 @@ inline void servo360_frame() {
     int16_t tenths = (int16_t)servo->out + servo->part, us = servo_us(servo->pin, 0, 1500) + tenths / 10;
     servo->part = tenths % 10;
     if (!alive[place] || !servo->enabled) slot->rest();
-    else if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
-    else slot->start(us);
+    else slot->send(us);
   }
 }
 
@@ -294,7 +293,7 @@ inline int8_t servo360_place(int32_t pin) {
 //# adapter servo360_connect
 //#   for: int servo360_connect(int pinControl, int pinFeedback)
 //#   kind: semantic
-//#   needs: servo.h/ServoSlot hal/Uninterrupted Servo360 feedback360_edge servo360_run hal/watch_pin hal/Io simpletools.h/pulse_in servo.h/servo_us hal/ServoPin
+//#   needs: servo.h/servo_slot hal/Uninterrupted Servo360 feedback360_edge servo360_run hal/watch_pin hal/Io simpletools.h/pulse_in servo.h/servo_us
 //#   role: servo
 //#   pin: pinControl digital out servo
 //#   pin: pinFeedback digital in encoder
@@ -350,7 +349,7 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   ServoSlot *slot = control.wired() ? servo_slot(pinControl, true) : 0;
   if (slot) {
     slot->own = true;
-    slot->start(servo_us(pinControl, 0, 1500));
+    slot->send(servo_us(pinControl, 0, 1500));
   }
   return place;
 }

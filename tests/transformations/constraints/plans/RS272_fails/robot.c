@@ -1,0 +1,7 @@
+#include "simpletools.h"
+
+int main(void) {
+  high(4);
+  pause(100);
+  low(4);
+}
