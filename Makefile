@@ -6,7 +6,7 @@
 # make bench  the figures of the README and others, measured, in one table
 # make ratios  the cheap figures of the benchmark: ratios and counts that hold on any machine
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
-# make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
+# make evaluate  the paper's claims, row by row: what was got, and the verdict (python -m tests.evaluation --help)
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
 # make mutants   small changes of the product's own code, and how many of them `make check` notices, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
@@ -63,9 +63,7 @@ ratios: $(VENV)/.ready
 	$(BIN)/python -m tests.bench --ratios
 
 evaluate: $(VENV)/.ready
-	$(BIN)/python -m tests.recommend.paper_ranks
-	$(BIN)/python -m tests.recommend.drawn_parts
-	$(BIN)/python -m tests.recommend.evaluate --seconds
+	$(BIN)/python -m tests.evaluation
 
 fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.hardware

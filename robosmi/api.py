@@ -146,6 +146,7 @@ class PlanOptions(TypedDict, total=False):
         adapters: bodies of adapters, `filled` or `placeholders`.
         history: a file or a URL with earlier choices instead of the user's.
         widths: `fix` keeps the widths of the source's numbers, `keep` their text.
+        ranker: name of the ranker of libraries (`devices`, or `tfidf`, the paper's).
         bench: whether a sketch that tries one component at a time is made, too.
     """
 
@@ -160,6 +161,7 @@ class PlanOptions(TypedDict, total=False):
     adapters: str | None
     history: str | None
     widths: str
+    ranker: str | None
     bench: bool
 
 

@@ -54,6 +54,7 @@ class Project(Struct, frozen=True):
         hardware: the drawing, an absolute path, or None.
         target: the target's name, or None.
         source_platform: the source platform's name, or None.
+        ranker: the name of the ranker of libraries, or None.
         libraries: component (title or `#model_index`) -> library.
         bind: port of the source -> target pin or mapping.
         roles: component -> role.
@@ -67,6 +68,7 @@ class Project(Struct, frozen=True):
     hardware: Path | None = None
     target: str | None = None
     source_platform: str | None = None
+    ranker: str | None = None
     libraries: dict[str, str] = {}
     bind: dict[str, str] = {}
     roles: dict[str, str] = {}
@@ -83,13 +85,14 @@ class Project(Struct, frozen=True):
         return {key: Location(str(self.path), lines.get(key)) for key in keys}
 
 
-_TABLES = ("migrate", "libraries", "bind", "roles", "servos", "severity", "accept")
+_TABLES = ("migrate", "libraries", "bind", "roles", "servos", "rank", "severity", "accept")
 _SERVO = ("neutral", "speeds")
 POINTS = 64
 """Limit on the measured points of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
 """The shortest and longest pulse width for servos, in microseconds."""
 _MIGRATE = ("hardware", "target", "source_platform")
+_RANK = ("ranker",)
 
 
 def project_of(first: Path) -> Project:
@@ -139,6 +142,8 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
     _known(path, data, _TABLES, "table")
     migrate = _table(path, data, "migrate", text)
     _known(path, migrate, _MIGRATE, "key in [migrate]")
+    rank = _table(path, data, "rank", text)
+    _known(path, rank, _RANK, "key in [rank]")
     severity = _table(path, data, "severity", text)
     for rule, level in severity.items():
         if level not in LEVELS:
@@ -152,6 +157,7 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         hardware=_path_in(folder, migrate["hardware"]) if "hardware" in migrate else None,
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
+        ranker=rank.get("ranker"),
         libraries=_table(path, data, "libraries", text),
         bind=_bind(path, data, text),
         roles=_table(path, data, "roles", text),

@@ -15,7 +15,7 @@ from pathlib import Path
 from robosmi.base.user_folders import OWN, cache_dir, named, project_folder, project_of_input, user_data
 from robosmi.errors import PlatformDataError
 
-__all__ = ["KINDS", "built_in", "cache_dir", "find", "folders", "named", "project_of_input", "user_data"]
+__all__ = ["KINDS", "built_in", "cache_dir", "example", "find", "folders", "named", "project_of_input", "user_data"]
 
 KINDS = ("metamodels", "templates", "platform_repo")
 """The kinds of data there are; each is a folder of the package of that name."""
@@ -35,6 +35,21 @@ def built_in(kind: str) -> Path:
         if folder.is_dir():
             return folder
     raise PlatformDataError(f"the built-in data '{kind}' is not installed", fix="install robosmi again")
+
+
+def example(name: str) -> Path:
+    """The folder of an example that is installed with the package, in a wheel or in a source checkout.
+
+    Raises:
+        PlatformDataError: the installation is incomplete.
+    """
+    import robosmi
+
+    for root in robosmi.__path__:
+        folder = Path(root) / "docs" / "examples" / name
+        if folder.is_dir():
+            return folder
+    raise PlatformDataError(f"the example '{name}' is not installed", fix="install robosmi again")
 
 
 def folders(kind: str, project: Path | None = None) -> Iterator[Path]:

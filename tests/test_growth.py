@@ -70,6 +70,7 @@ def seconds(family: Growing, n: int, folder: Path, monkeypatch: pytest.MonkeyPat
     return taken
 
 
+@pytest.mark.measures
 @pytest.mark.parametrize("name", SIZES)
 def test_the_cost_grows_with_the_input_alone(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     family, n = next(f for f in FAMILIES if f.name == name), SIZES[name]

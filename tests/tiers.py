@@ -3,7 +3,8 @@
 A test that starts another program (a compiler, a simulator, a browser, a Python of its own) or kills one is not in `check`. It
 shows in the code that the test can reach: `require_tools` and its kin, `subprocess`, the product's functions that build and run.
 Where that code is out of sight, behind the command line for example, `@pytest.mark.processes` says so. A test that starts a
-program all the same fails in every tier, so that no tier can rot. `@pytest.mark.exhaustive` is for a test that tries all of what
+program all the same fails in every tier, so that no tier can rot. `@pytest.mark.measures` is for a test that measures how a cost
+grows with large inputs; it is not in `check`, either. `@pytest.mark.exhaustive` is for a test that tries all of what
 a sample in another test stands for; only `all` runs it.
 """
 
@@ -29,10 +30,11 @@ from robosmi.verify.toolchains.tools import run
 T = TypeVar("T")
 
 MARKS = {
+    "measures": "measures how a cost grows, by many runs with large inputs",
     "processes": "starts other programs, or kills one, in a way that its code does not show",
     "exhaustive": "tries all of what a sample in another test stands for",
 }
-TIERS = {"check": ("processes", "exhaustive"), "test": ("exhaustive",), "all": ()}
+TIERS = {"check": ("processes", "measures", "exhaustive"), "test": ("exhaustive",), "all": ()}
 """Name of a tier -> the marks of the tests that are not in it."""
 
 EVENTS = frozenset(

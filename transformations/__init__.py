@@ -54,6 +54,7 @@ _CONTENT = {
     ("query", "default_library_platform"): "knowledge.libraries.library_ranking:default_library_platform",
     ("query", "stack_bound"): "verification.stack.machine_stack:stack_bound",
     ("query", "libraries_by_header"): "knowledge.libraries.library_ranking:libraries_by_header",
+    ("query", "upload_refusals"): "chains.upload_refusals:upload_refusals",
     ("constraints", "ccode"): "constraints.code:code",
     ("constraints", "hardware"): "constraints.hardware:circuit",
     ("constraints", "migration"): "constraints.plan:plan",

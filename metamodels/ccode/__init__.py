@@ -1,4 +1,4 @@
-"""A C or C++ program as its text says it: files, declarations, statements, expressions, preprocessor. No judgement about any platform is in it.
+"""The syntax of a C or C++ program: files, declarations, statements, expressions, preprocessor. It contains no judgement about any platform.
 
 Generated from ccode.ecore by robosmi metamodels generate. Do not edit.
 """
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
         autoStorage: ClassVar[Storage]
 
     class Linkage(EnumLiteral):
-        """How a declaration is known: written in the program's own files, read in a header that was found, or inferred from its uses because no header was found."""
+        """Where a declaration comes from: the program's own files, a header that was found, or its uses because no header was found."""
 
         defined: ClassVar[Linkage]
         declaredInHeader: ClassVar[Linkage]
@@ -71,7 +71,7 @@ if TYPE_CHECKING:
         forLoop: ClassVar[LoopForm]
 
     class SymbolUse(EnumLiteral):
-        """How the program uses a name that nothing declares."""
+        """How the program uses an undeclared name."""
 
         called: ClassVar[SymbolUse]
         constantUse: ClassVar[SymbolUse]
@@ -123,7 +123,7 @@ class Program(Element, metaclass=MetaEClass):
         upper=-1,
         unique=False,
     )
-    """Folders given for include search, as given."""
+    """Folders of the include search, as given."""
     defines: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Macros defined from outside, NAME or NAME=VALUE."""
     units: MutableSequence[SourceUnit] = EReference(upper=-1, containment=True)
@@ -151,7 +151,7 @@ class SourceUnit(Element, metaclass=MetaEClass):
     program: Program | None = EReference()
     """The program it belongs to."""
     path: str = EAttribute(eType=EString, lower=1)
-    """Path relative to the model's own folder once stored, else as given."""
+    """Path relative to the model's own folder once saved, else as given."""
     encoding: str = EAttribute(eType=EString, default_value="UTF-8")
     """Encoding of the bytes."""
     digest: str = EAttribute(eType=EString, default_value="")
@@ -180,9 +180,9 @@ class SourceUnit(Element, metaclass=MetaEClass):
     )
     """Conditional directives."""
     unresolved: MutableSequence[UnresolvedCall] = EReference(upper=-1, containment=True)
-    """Calls seen in the tokens that the parser lost."""
+    """Calls in tokens that the parser lost."""
     problems: MutableSequence[SyntaxProblem] = EReference(upper=-1, containment=True)
-    """What the parser complained about."""
+    """What the parser reported."""
 
     if TYPE_CHECKING:
 
@@ -215,7 +215,7 @@ class Located(Element, metaclass=MetaEClass):
     startOffset: int = EAttribute(eType=EInt)
     """Offset of the first byte."""
     endOffset: int = EAttribute(eType=EInt)
-    """Offset behind the last byte."""
+    """Offset after the last byte."""
     line: int = EAttribute(eType=EInt)
     """Line of the first byte."""
     column: int = EAttribute(eType=EInt)
@@ -223,7 +223,7 @@ class Located(Element, metaclass=MetaEClass):
     endLine: int = EAttribute(eType=EInt)
     """Line of the last byte."""
     endColumn: int = EAttribute(eType=EInt)
-    """Column behind the last byte."""
+    """Column after the last byte."""
 
     if TYPE_CHECKING:
 
@@ -247,7 +247,7 @@ class Include(Located):
     system: bool = EAttribute(eType=EBoolean)
     """True for angle brackets, false for quotes."""
     resolvedPath: str = EAttribute(eType=EString, default_value="")
-    """Path of the file found, empty when none was found."""
+    """Path of the file found, empty if none was found."""
 
     if TYPE_CHECKING:
 
@@ -272,7 +272,7 @@ class Macro(Located):
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
     functionLike: bool = EAttribute(eType=EBoolean)
-    """True when it takes parameters."""
+    """True if it takes parameters."""
     parameters: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Names of its parameters."""
     body: str = EAttribute(eType=EString, default_value="")
@@ -307,9 +307,9 @@ class MacroUse(Located):
     text: str = EAttribute(eType=EString, default_value="")
     """The use as written, with arguments."""
     functionLike: bool = EAttribute(eType=EBoolean)
-    """True when used with arguments."""
+    """True if used with arguments."""
     header: str = EAttribute(eType=EString, default_value="")
-    """Header that defines the macro when it is not the program's own, empty when unknown."""
+    """Header that defines the macro if it is not the program's own; empty if unknown."""
     macro: Macro | None = EReference()
     """The program's own macro, if it is one."""
 
@@ -336,11 +336,11 @@ class PreprocessorConditional(Located):
     """An if, ifdef, ifndef, elif, else or endif directive."""
 
     directive: str = EAttribute(eType=EString, lower=1)
-    """The directive's word."""
+    """The directive's name."""
     condition: str = EAttribute(eType=EString, default_value="")
     """Its condition as written."""
     active: bool = EAttribute(eType=EBoolean)
-    """True when the text it governs was compiled."""
+    """True if the text that it governs was compiled."""
 
     if TYPE_CHECKING:
 
@@ -402,12 +402,12 @@ class UnresolvedCall(Located):
 
 
 class SyntaxProblem(Located):
-    """A complaint of the parser that is not about a missing declaration."""
+    """A message of the parser that is not about a missing declaration."""
 
     message: str = EAttribute(eType=EString, default_value="")
-    """The parser's words."""
+    """The parser's message."""
     fatal: bool = EAttribute(eType=EBoolean)
-    """True when text was lost by it."""
+    """True if text was lost by it."""
 
     if TYPE_CHECKING:
 
@@ -433,7 +433,7 @@ class TypeUse(Element, metaclass=MetaEClass):
     canonical: str = EAttribute(eType=EString, default_value="")
     """The type with typedefs resolved."""
     bits: int = EAttribute(eType=EInt)
-    """Width on the source platform in bits; 0 when it has none or it is not known."""
+    """Width on the source platform in bits; 0 if it has none or it is unknown."""
     signed: bool = EAttribute(eType=EBoolean)
     """True for a signed arithmetic type of the source platform."""
     pointerDepth: int = EAttribute(eType=EInt)
@@ -468,11 +468,11 @@ class Declaration(Located):
     name: str = EAttribute(eType=EString, default_value="")
     """Its name; empty for an unnamed record or enumeration."""
     linkage: Linkage = EAttribute(eType=Linkage, default_value=Linkage.defined)
-    """How it is known."""
+    """Where it comes from."""
     header: str = EAttribute(eType=EString, default_value="")
     """Header that declares it, empty for the program's own and for inferred ones."""
     comment: str = EAttribute(eType=EString, default_value="")
-    """The comment that stands directly before it or behind it on its line, with delimiters."""
+    """The comment directly before it or after it on its line, with delimiters."""
     references: MutableSequence[NameReference] = EReference(upper=-1)
     """Where its name is used."""
 
@@ -501,13 +501,13 @@ class Function(Declaration):
     storage: Storage = EAttribute(eType=Storage)
     """Storage class."""
     variadic: bool = EAttribute(eType=EBoolean)
-    """True when it takes further arguments."""
+    """True if it is variadic."""
     definition: bool = EAttribute(eType=EBoolean)
-    """True when it has a body here."""
+    """True if it has a body here."""
     signature: str = EAttribute(eType=EString, default_value="")
     """The declarator as written, from the return type to the closing parenthesis (the paper's raw signature)."""
     returnType: TypeUse | None = EReference(containment=True)
-    """Type of its value."""
+    """Type of its result."""
     parameters: MutableSequence[Parameter] = EReference(upper=-1, containment=True)
     """Its parameters."""
     body: Block | None = EReference(containment=True)
@@ -517,17 +517,17 @@ class Function(Declaration):
     virtual: bool = EAttribute(eType=EBoolean)
     """True for a virtual member function of C++."""
     pure: bool = EAttribute(eType=EBoolean)
-    """True for a virtual member function without a body of its own (= 0), which derived classes implement."""
+    """True for a pure virtual member function of C++ (= 0), which derived classes implement."""
     initializers: MutableSequence[MemberInitializer] = EReference(
         upper=-1,
         containment=True,
     )
-    """Of a constructor, what stands between the colon and the body."""
+    """Member initialisers of a constructor."""
     templateParameters: MutableSequence[TemplateParameter] = EReference(
         upper=-1,
         containment=True,
     )
-    """Parameters of the C++ template that this is; empty for what is no template."""
+    """Template parameters; empty if it is no C++ template."""
 
     if TYPE_CHECKING:
 
@@ -566,7 +566,7 @@ class Parameter(Declaration):
     valueType: TypeUse | None = EReference(containment=True)
     """Its type."""
     defaultValue: Expression | None = EReference(containment=True)
-    """The value that it has in calls without its argument."""
+    """Its default argument."""
 
     if TYPE_CHECKING:
 
@@ -595,9 +595,9 @@ class Variable(Declaration):
     storage: Storage = EAttribute(eType=Storage)
     """Storage class."""
     initialised: bool = EAttribute(eType=EBoolean)
-    """True when an initializer is written."""
+    """True if it has an initialiser."""
     shared: bool = EAttribute(eType=EBoolean)
-    """True when the declaration statement declares other names too."""
+    """True if the declaration statement declares other names too."""
     valueType: TypeUse | None = EReference(containment=True)
     """Its type."""
     initializer: Expression | None = EReference(containment=True)
@@ -635,7 +635,7 @@ class Field(Declaration):
     valueType: TypeUse | None = EReference(containment=True)
     """Its type."""
     initializer: Expression | None = EReference(containment=True)
-    """Initial value in the class, if one is written."""
+    """Default member initialiser, if there is one."""
 
     if TYPE_CHECKING:
 
@@ -660,7 +660,7 @@ class Field(Declaration):
 
 
 class Typedef(Declaration):
-    """A name for a type."""
+    """A typedef."""
 
     aliased: TypeUse | None = EReference(containment=True)
     """The type it names."""
@@ -695,14 +695,14 @@ class Record(Declaration):
     methods: MutableSequence[Function] = EReference(upper=-1, containment=True)
     """Its member functions."""
     bases: MutableSequence[TypeUse] = EReference(upper=-1, containment=True)
-    """The classes that it is derived from."""
+    """Its base classes."""
     staticMembers: MutableSequence[Variable] = EReference(upper=-1, containment=True)
     """Its static data members."""
     templateParameters: MutableSequence[TemplateParameter] = EReference(
         upper=-1,
         containment=True,
     )
-    """Parameters of the C++ template that this is; empty for what is no template."""
+    """Template parameters; empty if it is no C++ template."""
 
     if TYPE_CHECKING:
 
@@ -785,7 +785,7 @@ class EnumerationLiteral(Declaration):
 
 
 class ExternalSymbol(Declaration):
-    """A name that no declaration explains and that is no function: a constant, a register, a variable or a type of a platform."""
+    """A name without a declaration that is no function: a constant, a register, a variable or a type of a platform."""
 
     use: SymbolUse = EAttribute(eType=SymbolUse)
     """How the program uses it, the strongest use found."""
@@ -814,7 +814,7 @@ class Namespace(Declaration):
     """A namespace of C++."""
 
     declarations: MutableSequence[Declaration] = EReference(upper=-1, containment=True)
-    """What it holds."""
+    """Its declarations."""
 
     if TYPE_CHECKING:
 
@@ -842,7 +842,7 @@ class TemplateParameter(Declaration):
     valueType: TypeUse | None = EReference(containment=True)
     """Type of the value; missing for a parameter that is a type."""
     defaultValue: Expression | None = EReference(containment=True)
-    """The value that it has if none is given."""
+    """Its default value."""
 
     if TYPE_CHECKING:
 
@@ -871,7 +871,7 @@ class MemberInitializer(Located):
     name: str = EAttribute(eType=EString, default_value="")
     """The member or the base class."""
     arguments: MutableSequence[Expression] = EReference(upper=-1, containment=True)
-    """The values that it is given."""
+    """The values of the initialiser."""
 
     if TYPE_CHECKING:
 
@@ -968,13 +968,13 @@ class Loop(Statement):
     form: LoopForm = EAttribute(eType=LoopForm)
     """Its form."""
     endless: bool = EAttribute(eType=EBoolean)
-    """True when the condition is absent or a constant other than zero."""
+    """True if the condition is absent or a constant other than zero."""
     declaration: DeclarationStatement | None = EReference(containment=True)
     """C++: the variable that the condition declares, as in while (int a = f()), the condition being its name; of a loop over a range the variable for each of its elements."""
     condition: Expression | None = EReference(containment=True)
     """The condition, if written."""
     body: Statement | None = EReference(containment=True)
-    """What is repeated."""
+    """The body."""
 
     if TYPE_CHECKING:
 
@@ -1306,7 +1306,7 @@ class EmptyStatement(Statement):
 
 
 class UnknownStatement(Statement):
-    """A statement of a form that the reader does not take apart."""
+    """A statement of a kind that the reader does not analyse."""
 
     text: str = EAttribute(eType=EString, default_value="")
     """The statement as written."""
@@ -1350,13 +1350,13 @@ class Call(Expression):
     calleeName: str = EAttribute(eType=EString, default_value="")
     """The called name as the user wrote it, empty for a computed callee."""
     viaMacro: bool = EAttribute(eType=EBoolean)
-    """True when the call stands in the body of one of the program's own macros that is used here."""
+    """True if the call stands in the body of one of the program's own macros that is used here."""
     callee: Function | None = EReference()
     """The called function."""
     arguments: MutableSequence[Expression] = EReference(upper=-1, containment=True)
     """The arguments."""
     calleeExpression: Expression | None = EReference(containment=True)
-    """The callee, when it is computed."""
+    """The callee, if it is computed."""
 
     if TYPE_CHECKING:
 
@@ -1383,7 +1383,7 @@ class NameReference(Expression):
     name: str = EAttribute(eType=EString, lower=1)
     """The name as written."""
     target: Declaration | None = EReference()
-    """What it means."""
+    """The declaration that it refers to."""
 
     if TYPE_CHECKING:
 
@@ -1458,7 +1458,7 @@ class Unary(Expression):
     operator: str = EAttribute(eType=EString, default_value="")
     """The operator."""
     postfix: bool = EAttribute(eType=EBoolean)
-    """True when it stands behind the operand."""
+    """True if it follows the operand."""
     operand: Expression | None = EReference(containment=True)
     """The operand."""
 
@@ -1534,7 +1534,7 @@ class Assignment(Expression):
 
 
 class ConditionalExpression(Expression):
-    """A choice between two values."""
+    """A conditional expression (a ? b : c)."""
 
     condition: Expression | None = EReference(containment=True)
     """The condition."""
@@ -1726,7 +1726,7 @@ class InitializerList(Expression):
 
 
 class UnknownExpression(Expression):
-    """An expression of a form that the reader does not take apart."""
+    """An expression of a kind that the reader does not analyse."""
 
     text: str = EAttribute(eType=EString, default_value="")
     """The expression as written."""
@@ -1750,12 +1750,12 @@ class UnknownExpression(Expression):
 
 
 class ConstructorCall(Expression):
-    """The construction of an object by values in parentheses or braces, with the name of its class or after the name of a variable."""
+    """The construction of an object from values in parentheses or braces, after the name of its class or of a variable."""
 
     className: str = EAttribute(eType=EString, default_value="")
     """The class."""
     arguments: MutableSequence[Expression] = EReference(upper=-1, containment=True)
-    """The values that the constructor is given."""
+    """The arguments of the constructor."""
 
     if TYPE_CHECKING:
 

@@ -1,4 +1,4 @@
-"""A circuit as its drawing says it, whatever drawing tool made it: components, connectors, nets, wires; and what the catalogue of parts says of each component.
+"""A circuit as drawn, independent of the drawing tool: components, connectors, nets and wires, with the catalogue's facts about each component.
 
 Generated from hardware.ecore by robosmi metamodels generate. Do not edit.
 """
@@ -59,7 +59,7 @@ if TYPE_CHECKING:
         ground: ClassVar[ConnectorKind]
 
     class NamedDirection(EnumLiteral):
-        """Which way a signal goes as seen by the board, told by the name of a connector."""
+        """Direction of a signal as seen from the board, derived from the connector's name."""
 
         unstated: ClassVar[NamedDirection]
         read: ClassVar[NamedDirection]
@@ -67,7 +67,7 @@ if TYPE_CHECKING:
         bus: ClassVar[NamedDirection]
 
     class PullUps(EnumLiteral):
-        """Whether a device brings the pull-up resistors of its bus."""
+        """Whether a device has the pull-up resistors of its bus."""
 
         notKnown: ClassVar[PullUps]
         absent: ClassVar[PullUps]
@@ -104,7 +104,7 @@ class Circuit(Element, metaclass=MetaEClass):
     name: str = EAttribute(eType=EString, default_value="")
     """Base name of the file, without extension."""
     path: str = EAttribute(eType=EString, default_value="")
-    """Path relative to the model's own folder once stored, else as given."""
+    """Path relative to the model's own folder once saved, else as given."""
     digest: str = EAttribute(eType=EString, default_value="")
     """SHA-256 of the file's bytes, hexadecimal."""
     tool: str = EAttribute(eType=EString, default_value="")
@@ -116,15 +116,15 @@ class Circuit(Element, metaclass=MetaEClass):
     companions: MutableSequence[str] = EAttribute(eType=EString, upper=-1)
     """Further files of the drawing that were read (sheets, libraries), relative to the folder of its file, with forward slashes."""
     components: MutableSequence[Component] = EReference(upper=-1, containment=True)
-    """Everything placed in the drawing but wires."""
+    """All parts of the drawing except wires."""
     nets: MutableSequence[Net] = EReference(upper=-1, containment=True)
-    """Sets of connectors that are one node electrically."""
+    """Sets of connectors that are one electrical node."""
     wires: MutableSequence[Wire] = EReference(upper=-1, containment=True)
-    """The wires drawn."""
+    """The drawn wires."""
     described: bool = EAttribute(eType=EBoolean)
-    """True when what is known of its parts is written in: devices of components, meanings of connectors, supply limits."""
+    """True if the facts about its parts are in the model: devices of components, meanings of connectors, supply limits."""
     supplyLimits: MutableSequence[SupplyLimit] = EReference(upper=-1, containment=True)
-    """What a board gives at most at its supplies."""
+    """The limits of a board's supplies."""
 
     if TYPE_CHECKING:
 
@@ -164,25 +164,25 @@ class Component(Element, metaclass=MetaEClass):
     tags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Tags of the part."""
     boardName: str = EAttribute(eType=EString, default_value="")
-    """Short name of the board of the platform repository that it is drawn as (uno), also for a bare microcontroller; empty for all else."""
+    """Short name of the board in the platform repository (uno), also for a bare microcontroller; empty for other parts."""
     role: Role = EAttribute(eType=Role)
-    """What it is for the software."""
+    """Its role for the software."""
     roleEvidence: str = EAttribute(eType=EString, default_value="")
     """Why it has that role."""
     driver: bool = EAttribute(eType=EBoolean)
-    """True when it drives a load of its own (motor driver, transistor, shift register)."""
+    """True if it drives a load of its own (motor driver, transistor, shift register)."""
     properties: MutableSequence[Property] = EReference(upper=-1, containment=True)
     """Properties of this instance and its part."""
     connectors: MutableSequence[Connector] = EReference(upper=-1, containment=True)
     """Its connectors, in the part's order."""
     buses: MutableSequence[Bus] = EReference(upper=-1, containment=True)
-    """Connectors joined inside the part."""
+    """Groups of connectors that the part connects internally."""
     device: DeviceFacts | None = EReference(containment=True)
-    """What is known of the kind of device that it is; none where nothing is known."""
+    """Facts about its kind of device; none if unknown."""
     joinsByBusOnly: bool = EAttribute(eType=EBoolean)
-    """True when it joins connectors only where one of its buses does, as a breadboard or a header."""
+    """True if it connects only the connectors of its buses, as a breadboard or a header does."""
     eitherSide: bool = EAttribute(eType=EBoolean)
-    """True for a chip that is an input or an output by what is wired to it, such as an amplifier."""
+    """True for a chip that is an input or an output depending on its wiring, such as an amplifier."""
 
     if TYPE_CHECKING:
 
@@ -237,15 +237,15 @@ class Connector(Element, metaclass=MetaEClass):
     name: str = EAttribute(eType=EString, default_value="")
     """Its name in the drawing."""
     kind: ConnectorKind = EAttribute(eType=ConnectorKind)
-    """What it carries."""
+    """The kind of signal it carries."""
     pin: str = EAttribute(eType=EString, default_value="")
     """For a board the normalised label of its pin (D9, A0), else empty."""
     net: Net | None = EReference()
-    """The net it is in."""
+    """Its net."""
     meanings: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """What its name says, by the words of the table of electrical facts (sda, output, common)."""
+    """The meaning of its name in the table of electrical facts (sda, output, common)."""
     namedDirection: NamedDirection = EAttribute(eType=NamedDirection)
-    """The direction that its name says."""
+    """The direction that its name implies."""
 
     if TYPE_CHECKING:
 
@@ -264,7 +264,7 @@ class Connector(Element, metaclass=MetaEClass):
 
 
 class Bus(Element, metaclass=MetaEClass):
-    """Connectors joined inside a component."""
+    """Connectors connected inside a component."""
 
     name: str = EAttribute(eType=EString, default_value="")
     """Its identity in the part."""
@@ -287,17 +287,17 @@ class Net(Element, metaclass=MetaEClass):
     circuit: Circuit | None = EReference()
     """The drawing."""
     name: str = EAttribute(eType=EString, lower=1)
-    """Made of the smallest connector in it, stable between runs."""
+    """Derived from the smallest connector in it, stable between runs."""
     title: str = EAttribute(eType=EString, default_value="")
-    """The name that the drawing gives it; empty where it gives none, or only a number."""
+    """The name in the drawing; empty if there is none, or only a number."""
     rail: bool = EAttribute(eType=EBoolean)
-    """True when it distributes a supply or ground."""
+    """True if it distributes a supply or ground."""
     railEvidence: str = EAttribute(eType=EString, default_value="")
     """Why it is a rail."""
     voltage: str = EAttribute(eType=EString, default_value="")
-    """Label of the supply, empty when unknown."""
+    """Label of the supply, empty if unknown."""
     connectors: MutableSequence[Connector] = EReference(upper=-1)
-    """The connectors in it."""
+    """Its connectors."""
 
     if TYPE_CHECKING:
 
@@ -315,14 +315,14 @@ class Net(Element, metaclass=MetaEClass):
 
 
 class Wire(Element, metaclass=MetaEClass):
-    """A wire drawn."""
+    """A drawn wire."""
 
     elementId: str = EAttribute(eType=EString, lower=1)
     """Identity in the drawing."""
     color: str = EAttribute(eType=EString, default_value="")
     """Its colour."""
     ends: MutableSequence[Connector] = EReference(upper=-1)
-    """The connectors of components at its ends; fewer than two where it ends at another wire."""
+    """The connectors of components at its ends; fewer than two if it ends at another wire."""
     net: Net | None = EReference()
     """The net it is part of."""
 
@@ -339,46 +339,46 @@ class Wire(Element, metaclass=MetaEClass):
 
 
 class DeviceFacts(Element, metaclass=MetaEClass):
-    """What a kind of device needs and bears electrically, as the table of electrical facts had it when the drawing was read."""
+    """Electrical requirements and limits of a kind of device, as the table of electrical facts had them when the drawing was read."""
 
     kind: str = EAttribute(eType=EString, lower=1)
-    """What messages call it."""
+    """Its name in messages."""
     volts: MutableSequence[float] = EAttribute(eType=EDouble, upper=2, unique=False)
-    """Least and most at its supply; empty where it is unknown."""
+    """Minimum and maximum supply voltage in volts; empty if unknown."""
     signalVolts: float = EAttribute(eType=EDouble)
-    """The most that its signals bear; 0 where it is unknown."""
+    """Maximum voltage of its signals in volts; 0 if unknown."""
     peakMilliamperes: int = EAttribute(eType=EInt)
-    """The most that it takes while it works; 0 where it is unknown."""
+    """Maximum operating current in mA; 0 if unknown."""
     needsDriver: bool = EAttribute(eType=EBoolean)
-    """True when a pin cannot drive it."""
+    """True if a pin cannot drive it."""
     inductive: bool = EAttribute(eType=EBoolean)
-    """True when it needs a diode behind a bare transistor."""
+    """True if it needs a flyback diode with a bare transistor."""
     terminals: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Names of the connectors that these two are about; all where it is empty."""
+    """Names of the connectors that the two facts above are about; empty for all."""
     isSwitch: bool = EAttribute(eType=EBoolean)
     """True for a transistor."""
     seriesResistor: bool = EAttribute(eType=EBoolean)
-    """True when it needs one."""
+    """True if it needs a series resistor."""
     limitsCurrent: bool = EAttribute(eType=EBoolean)
-    """True when what flows through its outputs is limited, or they are contacts."""
+    """True if the current through its outputs is limited, or they are contacts."""
     analog: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Names of the connectors that give a voltage to be measured; * stands for all."""
+    """Names of the connectors with an analogue output voltage; * for all."""
     wants: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Abilities of a pin that serve it."""
+    """Abilities that a pin must have for it."""
     output: str = EAttribute(eType=EString, default_value="")
-    """push-pull where its output cannot share a wire."""
+    """push-pull if its output cannot share a wire."""
     addresses: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)
-    """Addresses on an I2C bus that it can have; the first is that of its delivery."""
+    """Its possible I2C addresses, the factory setting first."""
     pullUps: PullUps = EAttribute(eType=PullUps)
-    """Whether it brings the pull-up resistors of its bus."""
+    """Whether it has the pull-up resistors of its bus."""
     isolated: bool = EAttribute(eType=EBoolean)
-    """True when it needs no common ground."""
+    """True if it needs no common ground."""
     sounds: bool = EAttribute(eType=EBoolean)
-    """True when it is sounded with the function tone of the target."""
+    """True if the target's function tone drives it."""
     rest: str = EAttribute(eType=EString, default_value="")
-    """The level of its signals, low or high, at which it does nothing; empty for a device that needs none at the start."""
+    """The inactive level of its signals, low or high; empty if it needs none at the start."""
     bench: str = EAttribute(eType=EString, default_value="")
-    """How it is tried alone on the bench; empty where its role says it."""
+    """How to test it alone on the bench; empty if its role determines it."""
 
     if TYPE_CHECKING:
 
@@ -408,12 +408,12 @@ class DeviceFacts(Element, metaclass=MetaEClass):
 
 
 class SupplyLimit(Element, metaclass=MetaEClass):
-    """The most that a board gives at its supply of a voltage."""
+    """The maximum current of a board's supply."""
 
     volts: float = EAttribute(eType=EDouble)
     """Voltage of the supply."""
     milliamperes: int = EAttribute(eType=EInt)
-    """The most that it gives."""
+    """Maximum current in mA."""
 
     if TYPE_CHECKING:
 

@@ -100,14 +100,14 @@ if TYPE_CHECKING:
         unsupported: ClassVar[AdapterStatus]
 
     class SignatureSource(EnumLiteral):
-        """What says how an adapted function is declared."""
+        """The source of an adapted function's declaration."""
 
         inferred: ClassVar[SignatureSource]
         repository: ClassVar[SignatureSource]
         program: ClassVar[SignatureSource]
 
     class SeverityLevel(EnumLiteral):
-        """How bad a finding is."""
+        """Severity of a finding."""
 
         info: ClassVar[SeverityLevel]
         warning: ClassVar[SeverityLevel]
@@ -120,13 +120,13 @@ if TYPE_CHECKING:
         runOnce: ClassVar[ProgramStructure]
 
     class Widths(EnumLiteral):
-        """What becomes of numbers that are narrower on the target: `keep` leaves the text as it is, `fix` writes it so that values stay what they are on the source."""
+        """What to do with numbers that are narrower on the target: `keep` leaves the text, `fix` changes it so that the values stay those of the source."""
 
         keep: ClassVar[Widths]
         fix: ClassVar[Widths]
 
     class Signal(EnumLiteral):
-        """Direction of a connection seen from the board."""
+        """Direction of a connection as seen from the board."""
 
         read: ClassVar[Signal]
         write: ClassVar[Signal]
@@ -170,7 +170,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """One migration of one program to one board."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """Name of the sketch to be made."""
+    """Name of the sketch."""
     toolVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the tool that made the plan."""
     structure: ProgramStructure = EAttribute(eType=ProgramStructure)
@@ -190,17 +190,17 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     boardComponent: Component | None = EReference()
     """The board in the drawing."""
     inputs: MutableSequence[Input] = EReference(upper=-1, containment=True)
-    """The files the plan was made from."""
+    """The input files of the plan."""
     dispositions: MutableSequence[Disposition] = EReference(upper=-1, containment=True)
     """What happens to each element of the program."""
     connections: MutableSequence[Connection] = EReference(upper=-1, containment=True)
-    """Which board pin reaches which component (paper, MAPPINGS)."""
+    """Which board pin is connected to which component (paper, MAPPINGS)."""
     concurrency: Concurrency | None = EReference(containment=True)
-    """How code runs that the program starts on other cores; none where it starts none, or the target has cores."""
+    """How code runs that the program starts on other cores; none if it starts none, or the target has cores."""
     portBindings: MutableSequence[PortBinding] = EReference(upper=-1, containment=True)
-    """Which port of the source is which connection of the target."""
+    """Which connection of the target replaces each port of the source."""
     portFlows: MutableSequence[PortFlow] = EReference(upper=-1, containment=True)
-    """Where numbers of ports go from the text to the platform functions that take them."""
+    """How port numbers flow from the text to the platform functions."""
     libraryChoices: MutableSequence[LibraryChoice] = EReference(
         upper=-1,
         containment=True,
@@ -209,27 +209,27 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     adapterUses: MutableSequence[AdapterUse] = EReference(upper=-1, containment=True)
     """The platform functions that are called, and how each is adapted."""
     symbolUses: MutableSequence[SymbolUse] = EReference(upper=-1, containment=True)
-    """The platform symbols that are used, and their placeholders."""
+    """The platform symbols that are used, with their placeholders."""
     helpers: MutableSequence[Adapter] = EReference(upper=-1)
     """Pieces of adapter text that the changed text of the program uses beyond those of functions and symbols, such as the look-up of ports."""
     widths: Widths = EAttribute(eType=Widths)
     """Whether the program's numbers keep the widths of the source."""
     widenings: MutableSequence[Widening] = EReference(upper=-1, containment=True)
-    """What is written otherwise so that numbers keep the widths of the source: one for each declaration or macro."""
+    """Width changes: one for each declaration or macro."""
     edits: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
-    """Changes of the carried-over text that a person added to the plan; those of decisions belong to the decisions."""
+    """Text edits that a user added to the plan; those of decisions belong to the decisions."""
     tasks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
-    """Work that is left for a person."""
+    """Open tasks."""
     checks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
-    """What a person should see on the bench, one for each component that the program uses, before the robot runs on its own."""
+    """Bench tests, one for each component that the program uses, to do before the robot runs on its own."""
     findings: MutableSequence[PlanFinding] = EReference(upper=-1, containment=True)
-    """What is worth knowing."""
+    """Notes for the user."""
     build: Build | None = EReference(containment=True)
-    """What the program took when it was compiled last, as it stands; none where it was not, or was changed since."""
+    """Sizes of the last compiled program; none if it was not compiled or has changed since."""
     trace: Trace | None = EReference(containment=True)
-    """Which elements each decision and each generated line comes from."""
+    """The elements from which each decision and each generated line is derived."""
     bench: bool = EAttribute(eType=EBoolean)
-    """Whether a sketch that tries one component at a time is made beside the program."""
+    """Whether a sketch that tests one component at a time is generated too."""
 
     if TYPE_CHECKING:
 
@@ -269,7 +269,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
 
 
 class Input(Element, metaclass=MetaEClass):
-    """A file the plan was made from."""
+    """An input file of the plan."""
 
     path: str = EAttribute(eType=EString, lower=1)
     """Its copy, relative to the plan."""
@@ -294,24 +294,24 @@ class Input(Element, metaclass=MetaEClass):
 
 @abstract
 class Decision(Element, metaclass=MetaEClass):
-    """Something that can be decided in more than one way."""
+    """A decision with several options."""
 
     confidence: float = EAttribute(eType=EDouble)
     """Between 0 and 1."""
     chosenBy: ChosenBy = EAttribute(eType=ChosenBy)
     """Who chose."""
     evidence: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """What speaks for the choice."""
+    """Evidence for the choice."""
     open: bool = EAttribute(eType=EBoolean)
-    """True when nothing is chosen."""
+    """True if nothing is chosen."""
     choice: str = EAttribute(eType=EString, default_value="")
-    """What is chosen: the label of an option, what a person named instead, or the action of a disposition; empty when open."""
+    """The choice: the label of an option, a user's own value, or the action of a disposition; empty if open."""
     chosenAt: str = EAttribute(eType=EString, default_value="")
-    """When a person chose, in UTC (2026-05-01T12:00:00Z); empty where that is not recorded, as for flags and project files."""
+    """When a user chose, in UTC (2026-05-01T12:00:00Z); empty if not recorded, as for flags and project files."""
     options: MutableSequence[Option] = EReference(upper=-1, containment=True)
     """The options, best first."""
     changes: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
-    """What the decision changes in the carried-over text."""
+    """Text edits of the decision."""
 
     if TYPE_CHECKING:
 
@@ -335,7 +335,7 @@ class Option(Element, metaclass=MetaEClass):
     label: str = EAttribute(eType=EString, lower=1)
     """Its label."""
     score: float = EAttribute(eType=EDouble)
-    """How well it does; comparable within one decision."""
+    """Its score; comparable within one decision."""
     reasons: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Why."""
 
@@ -354,19 +354,19 @@ class Disposition(Decision):
     """What happens to an element of the program (paper 3.1)."""
 
     action: Action = EAttribute(eType=Action)
-    """What is done."""
+    """The action."""
     rules: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Ids of the rules that decided; more than one where several change the element's text."""
+    """Ids of the rules that decided; more than one if several change the element's text."""
     reasons: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Why, one sentence for each rule."""
+    """The reasons, one sentence for each rule."""
     element: Located | None = EReference()
     """The element."""
     inLoop: bool = EAttribute(eType=EBoolean)
     """True for a statement of main that belongs to the repeated part."""
     runsIn: str = EAttribute(eType=EString, default_value="")
-    """Function of the target's program that is made for a statement of main behind its loop; empty for any other statement."""
+    """Function of the target's program for a statement of main after its loop; empty for other statements."""
     goesOnIn: str = EAttribute(eType=EString, default_value="")
-    """Function of the target's program that goes on where a break or return leaves main's loop or main; empty for any other statement."""
+    """Function of the target's program that continues after a break or return leaves main's loop or main; empty for other statements."""
     hoisted: TextCopy | None = EReference(containment=True)
     """The text of a declaration that moves out of main."""
 
@@ -395,10 +395,10 @@ class Disposition(Decision):
 
 
 class Widening(Decision):
-    """How a declaration or macro keeps the widths that its numbers have on the source: `fix` with the changes of its text, `keep` without."""
+    """How a declaration or macro keeps the widths that its numbers have on the source: `fix` with the text edits, `keep` without."""
 
     element: Located | None = EReference()
-    """The declaration or macro; none for text that is in none, of code that is not compiled."""
+    """The declaration or macro; none for text outside of both, in code that is not compiled."""
 
     if TYPE_CHECKING:
 
@@ -418,14 +418,14 @@ class Widening(Decision):
 
 
 class Concurrency(Decision):
-    """How code that ran on cores of its own runs on a target with one core: as coroutines, which take turns when one of them waits. Its changes of text let loops give way that would wait for the others without end."""
+    """How code that ran on cores of its own runs on a target with one core: as coroutines, which switch when one of them waits. Its text edits make loops yield that would otherwise wait for the others forever."""
 
     slots: int = EAttribute(eType=EInt)
-    """How many run beside main at once."""
+    """How many run at the same time as main."""
     stackBytes: int = EAttribute(eType=EInt)
-    """Bytes of the stack of each."""
+    """Stack of each in bytes."""
     loopGivesWay: bool = EAttribute(eType=EBoolean)
-    """True when what main repeats waits each time, so that nothing has to be added for the others to get on."""
+    """True if each pass of main's loop waits, so that no yield has to be added."""
     starts: MutableSequence[Call] = EReference(upper=-1)
     """The calls that start code on another core."""
     functions: MutableSequence[Function] = EReference(upper=-1)
@@ -453,7 +453,7 @@ class Concurrency(Decision):
 
 
 class Connection(Element, metaclass=MetaEClass):
-    """A connector of the board reaches a component (paper 3.2)."""
+    """A connection between a connector of the board and a component (paper 3.2)."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """Identifier, unique in the plan (BasicServo2WriteP1)."""
@@ -468,13 +468,13 @@ class Connection(Element, metaclass=MetaEClass):
     connectors: MutableSequence[Connector] = EReference(upper=-1)
     """Its connectors."""
     via: MutableSequence[Component] = EReference(upper=-1)
-    """Passive components on the way."""
+    """Passive components between them."""
     restLevel: str = EAttribute(eType=EString, default_value="")
-    """The level, low or high, that its pin gets before all else, so that what it drives does nothing; empty for none."""
+    """The inactive level, low or high, that its pin gets first; empty for none."""
     neutralMicroseconds: int = EAttribute(eType=EInt)
-    """Width of the pulse at which the servo on it stands still, as a person has measured it; 0 where nobody has."""
+    """Pulse width at which the servo on it stands still, in microseconds, as measured by the user; 0 if not measured."""
     speeds: MutableSequence[ServoSpeed] = EReference(upper=-1, containment=True)
-    """Pulses of the servo on it by speed, by ascending speeds, as a person has measured them."""
+    """Pulses of the servo on it by ascending speed, as measured by the user."""
 
     if TYPE_CHECKING:
 
@@ -495,12 +495,12 @@ class Connection(Element, metaclass=MetaEClass):
 
 
 class ServoSpeed(Element, metaclass=MetaEClass):
-    """The pulse that a servo turns at a speed with."""
+    """The pulse that turns a servo at a speed."""
 
     speed: int = EAttribute(eType=EInt)
-    """The speed, in the units of the function that is given it."""
+    """The speed, in the units of the function's argument."""
     microseconds: int = EAttribute(eType=EInt)
-    """Width of the pulse."""
+    """Pulse width in microseconds."""
 
     if TYPE_CHECKING:
 
@@ -513,34 +513,34 @@ class ServoSpeed(Element, metaclass=MetaEClass):
 
 
 class PortBinding(Decision):
-    """Which connection a port of the source becomes. A port is a number of the source board, whatever the text calls it; what a library uses by convention is a port of its own. Open, or with the choice none (not wired), it is no pin of the target."""
+    """The connection that replaces a port of the source. A port is a number of the source board, whatever the text calls it; a port that a library uses by convention is separate. If it is open, or the choice is none (not wired), it has no pin of the target."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """Name of the first constant or variable that holds it, P12 for a bare number, or the role of a convention (abdrive.left_servo)."""
     names: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Further names of the port: of other constants that hold it, and P12 where the number means it alone."""
+    """Other names of the port: those of other constants that hold it, and P12 if the number means this port only."""
     sourcePin: int = EAttribute(eType=EInt, default_value=-1)
-    """Its number on the source board, -1 when not known."""
+    """Its number on the source board, -1 if unknown."""
     signal: Signal = EAttribute(eType=Signal)
     """Direction of its uses in the program."""
     origin: str = EAttribute(eType=EString, default_value="")
     """declaration (a constant or variable holds it), literal, runtime (reached by a loop, a range or the bits of a register), or convention."""
     what: str = EAttribute(eType=EString, default_value="")
-    """What the source says is connected there."""
+    """What the source says is connected to it."""
     element: Located | None = EReference()
     """The declaration or the first use."""
     role: str = EAttribute(eType=EString, default_value="")
-    """The kind of component that the functions expect there (servo, ranger), empty where they do not say."""
+    """The kind of component that the functions expect there (servo, ranger), empty if they do not imply one."""
     convention: PinConvention | None = EReference()
     """The convention of an API, if it is one."""
     conventionalPort: ConventionalPort | None = EReference()
-    """The pin of an adapter that it says, if an adapter uses the port without being told."""
+    """The pin of the adapter that uses the port by convention, if there is one."""
     answer: Connection | None = EReference()
-    """Where the component answers, when it has a wire for each direction and the functions can serve both; none for one wire."""
+    """The pin at which the component answers, if it has a wire for each direction and the functions support both; none for one wire."""
     connection: Connection | None = EReference()
     """The connection chosen."""
     pin: Pin | None = EReference()
-    """The pin chosen when no connection has it."""
+    """The chosen pin if no connection has it."""
 
     if TYPE_CHECKING:
 
@@ -572,16 +572,16 @@ class PortBinding(Decision):
 
 
 class PortFlow(Decision):
-    """Values that can be exchanged on their way to pin parameters of platform functions, by assignment, parameters, results or macros. The choice is target: the constants are pins of the target, changed where they stand (by the port bindings); or source: all numbers stay as they are, and each call looks up the pin. Never both."""
+    """Values that can reach each other on their way to pin parameters of platform functions, by assignment, parameters, results or macros. With the choice target, the constants become pins of the target in the text (by the port bindings); with source, all numbers stay and each call looks up the pin. Never both."""
 
     name: str = EAttribute(eType=EString, default_value="")
-    """What the flow is called: its first names in the text, or the first call."""
+    """Its name: the first names in the text, or the first call."""
     bindings: MutableSequence[PortBinding] = EReference(upper=-1)
-    """The ports that the text can send through it, by number."""
+    """The port numbers that can flow through it."""
     calls: MutableSequence[Call] = EReference(upper=-1)
-    """The calls of platform functions that it reaches; those that macros make at each place where one is used."""
+    """The calls of platform functions that it reaches, including those that macros expand to."""
     anything: bool = EAttribute(eType=EBoolean)
-    """Whether a number may go through it that the text does not say, so that a person may bind any port of the source."""
+    """Whether a number from outside the text can flow through it, so that a user may bind any port of the source."""
 
     if TYPE_CHECKING:
 
@@ -615,7 +615,7 @@ class LibraryChoice(Decision):
     recommendation: str = EAttribute(eType=EString, default_value="")
     """library, optional or none."""
     included: bool = EAttribute(eType=EBoolean)
-    """True when the program includes the chosen library, since something in it uses it."""
+    """True if the program includes the chosen library because something in it uses it."""
 
     if TYPE_CHECKING:
 
@@ -644,32 +644,32 @@ class AdapterUse(Element, metaclass=MetaEClass):
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
     signature: str = EAttribute(eType=EString, default_value="")
-    """Its raw signature: as the source platform or the program declares it, or as the calls have it where nothing does."""
+    """Its raw signature: as declared by the source platform or the program, or as inferred from the calls."""
     targetName: str = EAttribute(eType=EString, default_value="")
-    """What the adapter is called: its name, or another where the target has one of that name."""
+    """The adapter's name: the function's own, or another if the target already uses it."""
     result: TargetType | None = EReference(containment=True)
-    """The type of its value on the target."""
+    """The type of its result on the target."""
     parameters: MutableSequence[AdapterParameter] = EReference(
         upper=-1,
         containment=True,
     )
-    """Its parameters on the target: types keep the width that they have on the source platform."""
+    """Its parameters on the target, with types of the same widths as on the source platform."""
     variadic: bool = EAttribute(eType=EBoolean)
-    """True when it takes further arguments."""
+    """True if it is variadic."""
     signatureSource: SignatureSource = EAttribute(eType=SignatureSource)
-    """What says how it is declared: the platform repository, the program itself (the adapter's body stands where the program declares it), or nothing, so that it is inferred from the calls."""
+    """The source of its declaration: the platform repository, the program itself (the adapter's body replaces that declaration), or none, so that it is inferred from the calls."""
     status: AdapterStatus = EAttribute(eType=AdapterStatus)
     """Its state."""
     notes: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """What is worth knowing about it."""
+    """Notes about it."""
     function: ApiFunction | None = EReference()
     """The function."""
     adapter: Adapter | None = EReference()
-    """The adapter that fills it, if any."""
+    """The adapter that implements it, if any."""
     reason: str = EAttribute(eType=EString, default_value="")
-    """Why nothing fills it: what is missing, for the person who does it; empty where an adapter does."""
+    """Why no adapter implements it and what is missing; empty if one does."""
     written: bool = EAttribute(eType=EBoolean)
-    """True when a person has written its body in the program that was made before, so that it counts as filled."""
+    """True if a user wrote its body in the previous program."""
     calls: MutableSequence[Call] = EReference(upper=-1)
     """The calls."""
 
@@ -719,9 +719,9 @@ class TargetType(Element, metaclass=MetaEClass):
     spelling: str = EAttribute(eType=EString, lower=1)
     """The type, written without a name: unsigned char *, int [4], void (*)(int)."""
     emptyValue: str = EAttribute(eType=EString, default_value="")
-    """What a body that is still to be written gives back: 0, {}, or nothing for void."""
+    """The value that an unwritten body returns: 0, {}, or nothing for void."""
     declarations: MutableSequence[Declaration] = EReference(upper=-1)
-    """The program's own types that it names."""
+    """The program's own types in it."""
 
     if TYPE_CHECKING:
 
@@ -740,7 +740,7 @@ class SymbolUse(Element, metaclass=MetaEClass):
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
     placeholder: str = EAttribute(eType=EString, default_value="")
-    """The declaration that is generated for it."""
+    """The generated declaration."""
     status: AdapterStatus = EAttribute(eType=AdapterStatus)
     """Its state."""
     symbol: ApiSymbol | None = EReference()
@@ -765,22 +765,22 @@ class SymbolUse(Element, metaclass=MetaEClass):
 
 
 class TextChange(Element, metaclass=MetaEClass):
-    """A change of the carried-over text: new text takes the place of a range of a source unit. A change within the range that another one replaces has no effect; of two with the same range the first counts, in the order of the plan's edits, port bindings, dispositions, widenings."""
+    """An edit of the carried-over text: new text replaces a range of a source unit. An edit inside a range that another one replaces has no effect; of two with the same range the first counts, in the order of the plan's edits, port bindings, dispositions, width changes."""
 
     unit: SourceUnit | None = EReference()
     """The unit."""
     startOffset: int = EAttribute(eType=EInt)
     """Offset of the first byte replaced."""
     endOffset: int = EAttribute(eType=EInt)
-    """Offset behind the last byte replaced."""
+    """Offset after the last byte replaced."""
     replacement: str = EAttribute(eType=EString, default_value="")
     """The new text."""
     rule: str = EAttribute(eType=EString, default_value="")
-    """Id of the rule that wants it; empty for a person's edit."""
+    """Id of the rule that makes it; empty for a user's edit."""
     reason: str = EAttribute(eType=EString, default_value="")
     """Why, one sentence."""
     step: Step = EAttribute(eType=Step)
-    """The step of the method that wants it."""
+    """The step of the method that makes it."""
 
     if TYPE_CHECKING:
 
@@ -798,16 +798,16 @@ class TextChange(Element, metaclass=MetaEClass):
 
 
 class TextCopy(Element, metaclass=MetaEClass):
-    """Text that moves out of main: the range of a source unit with all changes in it that are not its disposition's own, then with changes that hold in the copy only. It stands at file scope, above main."""
+    """Text that moves out of main: the range of a source unit with all edits in it that are not its disposition's own, and the edits of the copy only. It goes to file scope, above main."""
 
     unit: SourceUnit | None = EReference()
     """The unit."""
     startOffset: int = EAttribute(eType=EInt)
     """Offset of the first byte copied."""
     endOffset: int = EAttribute(eType=EInt)
-    """Offset behind the last byte copied."""
+    """Offset after the last byte copied."""
     changes: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
-    """Changes that hold in the copy only."""
+    """Edits of the copy only."""
 
     if TYPE_CHECKING:
 
@@ -822,30 +822,30 @@ class TextCopy(Element, metaclass=MetaEClass):
 
 
 class PlanTask(Element, metaclass=MetaEClass):
-    """Work that is left for a person."""
+    """An open task."""
 
     rule: str = EAttribute(eType=EString, default_value="")
     """Id of the rule."""
     severity: SeverityLevel = EAttribute(eType=SeverityLevel)
-    """How urgent."""
+    """Its severity."""
     message: str = EAttribute(eType=EString, default_value="")
     """What to do, one sentence."""
     path: str = EAttribute(eType=EString, default_value="")
-    """File it is about, relative to the model's own folder."""
+    """Its file, relative to the model's own folder."""
     line: int = EAttribute(eType=EInt)
-    """Line in it, 0 for none."""
+    """Its line, 0 for none."""
     column: int = EAttribute(eType=EInt)
-    """Column in it, 0 for none."""
+    """Its column, 0 for none."""
     effort: str = EAttribute(eType=EString, default_value="")
     """Rough effort: small, medium or large."""
     done: bool = EAttribute(eType=EBoolean)
-    """True when a person has ticked it in the report that was made before."""
+    """True if the user has ticked it in the previous report."""
     fix: str = EAttribute(eType=EString, default_value="")
-    """How, if known."""
+    """How to do it, if known."""
     texts: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Of a conflict: what a person has written, what was made last, what is made anew; else empty."""
+    """Texts of a conflict: the user's, the last generated one, and the new one; else empty."""
     elements: MutableSequence[Element] = EReference(upper=-1)
-    """Elements it is about."""
+    """The elements it is about."""
 
     if TYPE_CHECKING:
 
@@ -867,20 +867,20 @@ class PlanTask(Element, metaclass=MetaEClass):
 
 
 class Build(Element, metaclass=MetaEClass):
-    """What a compiled program takes of its board."""
+    """The memory that a compiled program needs."""
 
     board: str = EAttribute(eType=EString, lower=1)
     """Name of the board that it was compiled for."""
     flashBytes: int = EAttribute(eType=EInt)
-    """Bytes of program memory."""
+    """Program memory in bytes."""
     flashLimit: int = EAttribute(eType=EInt)
-    """Bytes of program memory that the board has for it."""
+    """Program memory of the board in bytes."""
     ramBytes: int = EAttribute(eType=EInt)
-    """Bytes of RAM without its stack and heap."""
+    """RAM in bytes without stack and heap."""
     ramLimit: int = EAttribute(eType=EInt)
-    """Bytes of RAM that the board has."""
+    """RAM of the board in bytes."""
     stackBytes: int = EAttribute(eType=EInt)
-    """Bytes of stack that it takes at most, read off its code; 0 where no bound is known."""
+    """Maximum stack in bytes, determined from its machine code; 0 if no bound is known."""
 
     if TYPE_CHECKING:
 
@@ -897,7 +897,7 @@ class Build(Element, metaclass=MetaEClass):
 
 
 class PlanFinding(PlanTask):
-    """Something worth knowing that needs no work."""
+    """A note that needs no work."""
 
     if TYPE_CHECKING:
 
@@ -947,7 +947,7 @@ class EarlierChoice(Element, metaclass=MetaEClass):
     target: str = EAttribute(eType=EString, default_value="")
     """The target board."""
     component: str = EAttribute(eType=EString, default_value="")
-    """What the drawing called the component last."""
+    """The component's last label in a drawing."""
     count: int = EAttribute(eType=EInt)
     """How often."""
     lastUsed: str = EAttribute(eType=EString, default_value="")

@@ -1,4 +1,4 @@
-"""What is known of source and target platforms: APIs, boards, targets, toolchains, parts, libraries, adapters. Loaded from the platform repository.
+"""Facts about source and target platforms: APIs, boards, targets, toolchains, parts, libraries, adapters. Loaded from the platform repository.
 
 Generated from platform.ecore by robosmi metamodels generate. Do not edit.
 """
@@ -46,7 +46,7 @@ if TYPE_CHECKING:
         posix: ClassVar[HeaderKind]
 
     class Meaning(EnumLiteral):
-        """What a parameter means for migration: a mask has a bit for each port, and what is handed is given to code that a function starts."""
+        """The meaning of a parameter for migration: a mask has a bit for each port, and a handed value is passed to code that a function starts."""
 
         plain: ClassVar[Meaning]
         pin: ClassVar[Meaning]
@@ -63,7 +63,7 @@ if TYPE_CHECKING:
         handed: ClassVar[Meaning]
 
     class Direction(EnumLiteral):
-        """Direction of a pin seen from the board."""
+        """Direction of a pin as seen from the board."""
 
         unknown: ClassVar[Direction]
         input: ClassVar[Direction]
@@ -87,20 +87,20 @@ if TYPE_CHECKING:
         semantic: ClassVar[AdapterKind]
 
     class UserKind(EnumLiteral):
-        """What takes a resource of a microcontroller; a part is an object, a class or a function of the core or of a library that is linked once a program names it."""
+        """What occupies a resource of a microcontroller; a part is an object, a class or a function of the core or of a library that is linked once a program names it."""
 
         function: ClassVar[UserKind]
         library: ClassVar[UserKind]
         part: ClassVar[UserKind]
 
     class EntryStructure(EnumLiteral):
-        """Where a program of a target begins."""
+        """The entry point of a target's programs."""
 
         setupLoop: ClassVar[EntryStructure]
         mainFunction: ClassVar[EntryStructure]
 
     class PieceKind(EnumLiteral):
-        """What a piece of adapter text stands for."""
+        """What a piece of adapter text implements."""
 
         adaptedFunction: ClassVar[PieceKind]
         constant: ClassVar[PieceKind]
@@ -110,7 +110,7 @@ if TYPE_CHECKING:
         helper: ClassVar[PieceKind]
 
     class PinCapability(EnumLiteral):
-        """What a pin must be able to do."""
+        """The ability that a pin must have."""
 
         digital: ClassVar[PinCapability]
         pwm: ClassVar[PinCapability]
@@ -118,7 +118,7 @@ if TYPE_CHECKING:
         analog: ClassVar[PinCapability]
 
     class Relation(EnumLiteral):
-        """How an argument compares with a value."""
+        """Comparison of an argument with a value."""
 
         equals: ClassVar[Relation]
         different: ClassVar[Relation]
@@ -189,9 +189,9 @@ class PlatformRepository(Element, metaclass=MetaEClass):
     )
     """The microcontrollers of the boards."""
     toolchains: MutableSequence[Toolchain] = EReference(upper=-1, containment=True)
-    """What compiles for targets."""
+    """The toolchains of targets."""
     targets: MutableSequence[Target] = EReference(upper=-1, containment=True)
-    """What a program can be moved to."""
+    """The targets."""
     parts: MutableSequence[PartFact] = EReference(upper=-1, containment=True)
     """Facts about hardware parts."""
 
@@ -227,17 +227,19 @@ class Platform(Element, metaclass=MetaEClass):
     doubleBits: int = EAttribute(eType=EInt)
     """Width of double in bits."""
     charSigned: bool = EAttribute(eType=EBoolean)
-    """True when plain char is signed."""
+    """True if plain char is signed."""
+    losesLevel: bool = EAttribute(eType=EBoolean)
+    """True if a level that a program writes before it makes the pin an output may be lost."""
     hasCogs: bool = EAttribute(eType=EBoolean)
-    """True when it runs several cores that a program starts itself."""
+    """True if programs can start code on several cores."""
     portCount: int = EAttribute(eType=EInt)
-    """How many ports its boards have, numbered from 0; 0 when not known."""
+    """The number of ports of its boards, numbered from 0; 0 if unknown."""
     architecture: str = EAttribute(eType=EString, default_value="")
     """Name of the processor architecture as libraries declare it."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the target's core that a project names."""
     coreName: str = EAttribute(eType=EString, default_value="")
-    """Name of the core whose version that is, as boards name it (arduino:avr); empty where every board has that core."""
+    """Name of the core with that version, as boards name it (arduino:avr); empty if every board has that core."""
     mainHeader: str = EAttribute(eType=EString, default_value="")
     """Header that every program of the platform includes."""
     pinFunctions: MutableSequence[str] = EAttribute(
@@ -245,7 +247,7 @@ class Platform(Element, metaclass=MetaEClass):
         upper=-1,
         unique=False,
     )
-    """Some functions or registers with which programs of a target platform use pins and time, named in advice."""
+    """Functions or registers by which programs of a target platform use pins and time, named in advice."""
     standardHeaders: MutableSequence[str] = EAttribute(
         eType=EString,
         upper=-1,
@@ -253,11 +255,11 @@ class Platform(Element, metaclass=MetaEClass):
     )
     """Headers of the C standard library that a target platform has."""
     ownHeaders: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Headers of a target platform itself and of the libraries that come with it, whose names a program's own header cannot keep."""
+    """Headers of a target platform itself and of the libraries that come with it, whose names a program's own header cannot have."""
     widths: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
     """Types that keep the width of the source on a target platform."""
     widerNames: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
-    """Functions, types and macros of the standard library that have an int in them, and their sisters on a target platform that have the width of the source."""
+    """Functions, types and macros of the standard library with an int in their type, and their counterparts on a target platform with the width of the source."""
     names: ReservedNames | None = EReference(containment=True)
     """Names that a program shares with the core of a target platform."""
     attributeMacros: MutableSequence[str] = EAttribute(
@@ -270,18 +272,18 @@ class Platform(Element, metaclass=MetaEClass):
         upper=-1,
         containment=True,
     )
-    """How the platform calls boards and their pins."""
+    """The platform's names for boards and their pins."""
     headers: MutableSequence[Header] = EReference(upper=-1, containment=True)
     """Headers of its API."""
     libraries: MutableSequence[Library] = EReference(upper=-1, containment=True)
     """Its libraries."""
     adapters: MutableSequence[Adapter] = EReference(upper=-1, containment=True)
-    """Pieces of adapters for another platform: those that a plan refers to, and what they need."""
+    """Pieces of adapters for another platform: those that a plan refers to, and those that they need."""
     unsupportedHeaders: MutableSequence[UnsupportedHeader] = EReference(
         upper=-1,
         containment=True,
     )
-    """Headers of the source platform that this platform cannot serve."""
+    """Headers of the source platform that this platform cannot support."""
 
     if TYPE_CHECKING:
 
@@ -296,6 +298,7 @@ class Platform(Element, metaclass=MetaEClass):
             pointerBits: int | None = None,
             doubleBits: int | None = None,
             charSigned: bool | None = None,
+            losesLevel: bool | None = None,
             hasCogs: bool | None = None,
             portCount: int | None = None,
             architecture: str | None = None,
@@ -323,7 +326,7 @@ class Header(Element, metaclass=MetaEClass):
     platform: Platform | None = EReference()
     """The platform."""
     name: str = EAttribute(eType=EString, lower=1)
-    """As it is included."""
+    """Its name in an include directive."""
     kind: HeaderKind = EAttribute(eType=HeaderKind)
     """Where it comes from."""
     includes: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -362,23 +365,23 @@ class ApiFunction(Element, metaclass=MetaEClass):
     parameterList: str = EAttribute(eType=EString, default_value="")
     """Its parameters as declared, with their parentheses."""
     returnType: str = EAttribute(eType=EString, default_value="")
-    """Type of its value."""
+    """Type of its result."""
     variadic: bool = EAttribute(eType=EBoolean)
-    """True when it takes further arguments."""
+    """True if it is variadic."""
     functionLikeMacro: bool = EAttribute(eType=EBoolean)
     """True for a function-like macro."""
     blocking: bool = EAttribute(eType=EBoolean)
-    """True when it returns only after a time that matters."""
+    """True if it blocks for a relevant time."""
     longestMicroseconds: int = EAttribute(eType=EInt)
-    """The longest time that it takes where its arguments do not say it, in microseconds; 0 where that is not known or has no bound."""
+    """The longest time that it takes if its arguments do not determine it, in microseconds; 0 if unknown or unbounded."""
     startsCog: bool = EAttribute(eType=EBoolean)
-    """True when it starts code on another core."""
+    """True if it starts code on another core."""
     codeArgument: int = EAttribute(eType=EInt, default_value=-1)
-    """Which argument, from 0, is the code that it starts on another core; -1 for none."""
+    """Index of the argument with the code that it starts on another core; -1 for none."""
     parameters: MutableSequence[ApiParameter] = EReference(upper=-1, containment=True)
     """Its parameters."""
     conventions: MutableSequence[PinConvention] = EReference(upper=-1, containment=True)
-    """Pins it uses without an argument."""
+    """Pins that it uses without an argument."""
 
     if TYPE_CHECKING:
 
@@ -409,21 +412,21 @@ class ApiParameter(Element, metaclass=MetaEClass):
     spelling: str = EAttribute(eType=EString, default_value="")
     """Its type as declared."""
     meaning: Meaning = EAttribute(eType=Meaning)
-    """What it means for migration."""
+    """Its meaning for migration."""
     direction: Direction = EAttribute(eType=Direction)
     """For a pin, its direction."""
     isPort: bool = EAttribute(eType=EBoolean)
-    """True where an argument is known to be a port of the program, so that direction, span and range hold."""
+    """True if an argument is a port of the program, so that direction, span and range apply."""
     rangeWith: int = EAttribute(eType=EInt, default_value=-1)
-    """Position of the parameter that is the other end of a range of pins; -1 for none."""
+    """Index of the parameter that is the other end of a range of pins; -1 for none."""
     span: int = EAttribute(eType=EInt, default_value=1)
-    """How many pins follow each other from the argument on."""
+    """The number of consecutive pins from the argument on."""
     numberAt: int = EAttribute(eType=EInt, default_value=-1)
-    """Position of the parameter that says how many elements of an array of pins count; -1 for none."""
+    """Index of the parameter with the number of elements in an array of pins; -1 for none."""
     none: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Constants that mean no pin."""
     componentRole: str = EAttribute(eType=EString, default_value="")
-    """Kind of component it addresses, empty when it does not matter."""
+    """Kind of component it addresses, empty if it does not matter."""
 
     if TYPE_CHECKING:
 
@@ -451,14 +454,14 @@ class PinConvention(Element, metaclass=MetaEClass):
     direction: Direction = EAttribute(eType=Direction)
     """Its direction."""
     what: str = EAttribute(eType=EString, default_value="")
-    """What is connected there."""
+    """The component that is connected there."""
     setBy: str = EAttribute(eType=EString, default_value="")
-    """Function that replaces the convention when the program calls it."""
+    """Function that replaces the convention if the program calls it."""
     conditions: MutableSequence[ArgumentCondition] = EReference(
         upper=-1,
         containment=True,
     )
-    """Arguments that a call must have for the convention to hold; none for every call."""
+    """Arguments that a call must have for the convention to apply; none for every call."""
 
     if TYPE_CHECKING:
 
@@ -487,9 +490,9 @@ class ApiSymbol(Element, metaclass=MetaEClass):
     typeName: str = EAttribute(eType=EString, default_value="")
     """Its type."""
     meaning: str = EAttribute(eType=EString, default_value="")
-    """What it stands for."""
+    """Its value."""
     portDirection: str = EAttribute(eType=EString, default_value="")
-    """What the bits of a register do with the ports of their numbers: in, out or unknown; empty where bits are no ports."""
+    """How the bits of a register affect the ports of their numbers: in, out or unknown; empty if bits are no ports."""
 
     if TYPE_CHECKING:
 
@@ -507,14 +510,14 @@ class ApiSymbol(Element, metaclass=MetaEClass):
 
 
 class ArgumentCondition(Element, metaclass=MetaEClass):
-    """What an argument of a call must be."""
+    """A condition on an argument of a call."""
 
     position: int = EAttribute(eType=EInt)
-    """Which argument, from 0."""
+    """Index of the argument."""
     relation: Relation = EAttribute(eType=Relation)
-    """How it compares."""
+    """The comparison."""
     value: int = EAttribute(eType=EInt)
-    """With which value."""
+    """The value."""
 
     if TYPE_CHECKING:
 
@@ -574,11 +577,11 @@ class ReservedNames(Element, metaclass=MetaEClass):
     macros: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Macros that every program sees."""
     same: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Macros among them that mean what they mean in any C program."""
+    """Those macros that have the same meaning in any C program."""
     absent: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Standard functions that the target's library does not have."""
     keywords: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Words of the target's language that C leaves to programs."""
+    """Keywords of the target's language that are identifiers in C."""
 
     if TYPE_CHECKING:
 
@@ -594,40 +597,40 @@ class ReservedNames(Element, metaclass=MetaEClass):
 
 
 class BoardMapping(Element, metaclass=MetaEClass):
-    """How a platform calls a board and its pins."""
+    """A platform's names for a board and its pins."""
 
     board: Board | None = EReference()
     """The board."""
     boardId: str = EAttribute(eType=EString, default_value="")
-    """Full name of the board in the platform's own tools, empty where they know none."""
+    """Full name of the board in the platform's own tools, empty if they do not support it."""
     otherIds: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Other full names of the same board, with options that change nothing here."""
     variant: str = EAttribute(eType=EString, default_value="")
     """Name of the board's variant in the platform's core."""
     define: str = EAttribute(eType=EString, default_value="")
-    """Macro that tells the board to a program."""
+    """Macro that identifies the board in a program."""
     extraFlags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Further arguments for every compile."""
+    """Further compiler arguments."""
     flashBytes: int = EAttribute(eType=EInt)
-    """Program memory in bytes that is left for a program."""
+    """Program memory in bytes that is available to a program."""
     ramBytes: int = EAttribute(eType=EInt)
     """Data memory in bytes."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
-    """Version of the core that the board is of, where that is not the platform's; empty where it is, or is unknown."""
+    """Version of the board's core if it is not the platform's; empty if it is, or is unknown."""
     platformioId: str = EAttribute(eType=EString, default_value="")
-    """Name of the board in PlatformIO, empty where it knows none."""
+    """Name of the board in PlatformIO, empty if it does not support it."""
     platformioPlatform: str = EAttribute(eType=EString, default_value="")
-    """What PlatformIO calls the platform of the board, empty where that is the usual one."""
+    """PlatformIO's name of the board's platform, empty for the usual one."""
     platformioSettings: MutableSequence[str] = EAttribute(
         eType=EString,
         upper=-1,
         unique=False,
     )
-    """Further lines of the board in the settings of PlatformIO."""
+    """Further lines for the board in platformio.ini."""
     coreIndex: str = EAttribute(eType=EString, default_value="")
-    """Where tools find the core that the board is of, empty where they know it."""
+    """Address of the index with the board's core, empty if tools know it."""
     pinNames: MutableSequence[PinName] = EReference(upper=-1, containment=True)
-    """How programs of the platform call the pins."""
+    """The platform's names for the pins."""
 
     if TYPE_CHECKING:
 
@@ -652,12 +655,12 @@ class BoardMapping(Element, metaclass=MetaEClass):
 
 
 class PinName(Element, metaclass=MetaEClass):
-    """How programs of a platform call a pin."""
+    """A platform's names for a pin."""
 
     pin: Pin | None = EReference()
     """The pin."""
     literal: str = EAttribute(eType=EString, lower=1)
-    """How a program writes it."""
+    """Its spelling in a program."""
     interrupt: int = EAttribute(eType=EInt, default_value=-1)
     """Number of its external interrupt, -1 for none."""
 
@@ -673,28 +676,28 @@ class PinName(Element, metaclass=MetaEClass):
 
 
 class Target(Element, metaclass=MetaEClass):
-    """What a program can be moved to: a board of a platform, with the generator that writes for it."""
+    """A target of migrations: a board of a platform, with the generator for its programs."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """Name that a user gives."""
+    """Name that users give."""
     platform: Platform | None = EReference()
     """The platform."""
     board: Board | None = EReference()
     """The board."""
     toolchain: Toolchain | None = EReference()
-    """What compiles for it; none where nothing does."""
+    """Its toolchain; none if there is none."""
     generator: str = EAttribute(eType=EString, lower=1)
-    """Name of the registered generator that writes for it."""
+    """Name of the registered generator."""
     structure: EntryStructure = EAttribute(eType=EntryStructure)
-    """Where its programs begin."""
+    """The entry point of its programs."""
     language: str = EAttribute(eType=EString, default_value="")
-    """Language that its programs are compiled as: C or C++."""
+    """Language of its programs: C or C++."""
     fileSuffix: str = EAttribute(eType=EString, default_value="")
-    """Ending of the main file, with its dot."""
+    """Suffix of the main file, with its dot."""
     moduleSuffix: str = EAttribute(eType=EString, default_value="")
-    """Ending of further files, with its dot."""
+    """Suffix of further files, with its dot."""
     projectFile: str = EAttribute(eType=EString, default_value="")
-    """Name of the file that says for which board the program is, empty for none."""
+    """Name of the file that declares the program's board, empty for none."""
     libraryIndex: str = EAttribute(eType=EString, default_value="")
     """Platform whose index of libraries it uses, empty for none."""
 
@@ -718,7 +721,7 @@ class Target(Element, metaclass=MetaEClass):
 
 
 class Toolchain(Element, metaclass=MetaEClass):
-    """What compiles for a target, as far as a plan has to know it."""
+    """A target's toolchain, as far as a plan needs it."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
@@ -727,7 +730,7 @@ class Toolchain(Element, metaclass=MetaEClass):
     architecture: str = EAttribute(eType=EString, default_value="")
     """Processor architecture that libraries must declare."""
     tools: MutableSequence[Tool] = EReference(upper=-1, containment=True)
-    """Its programs."""
+    """Its tools."""
 
     if TYPE_CHECKING:
 
@@ -742,14 +745,14 @@ class Toolchain(Element, metaclass=MetaEClass):
 
 
 class Tool(Element, metaclass=MetaEClass):
-    """A program of a toolchain."""
+    """A tool of a toolchain."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """What it is for."""
+    """Its purpose."""
     command: str = EAttribute(eType=EString, lower=1)
     """Its command."""
     package: str = EAttribute(eType=EString, default_value="")
-    """The system package that has it."""
+    """The system package that contains it."""
 
     if TYPE_CHECKING:
 
@@ -766,7 +769,7 @@ class Microcontroller(Element, metaclass=MetaEClass):
     """A microcontroller."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """Name as its compiler takes it."""
+    """Its name for the compiler."""
     title: str = EAttribute(eType=EString, default_value="")
     """Full name."""
     architecture: str = EAttribute(eType=EString, default_value="")
@@ -776,19 +779,19 @@ class Microcontroller(Element, metaclass=MetaEClass):
     ramBytes: int = EAttribute(eType=EInt)
     """Data memory in bytes."""
     signature: str = EAttribute(eType=EString, default_value="")
-    """Its device signature as six hexadecimal digits, by which a programmer knows it; empty where that is not known."""
+    """Its device signature as six hexadecimal digits, by which programmers identify it; empty if unknown."""
     pinMilliamperes: int = EAttribute(eType=EInt)
-    """Most that one pin bears, in mA."""
+    """Maximum current of one pin, in mA."""
     totalMilliamperes: int = EAttribute(eType=EInt)
-    """Most that its supply pins bear, in mA."""
+    """Maximum current of its supply pins, in mA."""
     pinVolts: float = EAttribute(eType=EDouble)
-    """The greatest voltage in volts that a pin bears, 0 if it is not known."""
+    """Maximum voltage of a pin in volts, 0 if unknown."""
     timers: MutableSequence[Timer] = EReference(upper=-1, containment=True)
     """Its timers."""
     buses: MutableSequence[PinBus] = EReference(upper=-1, containment=True)
     """Its buses."""
     uses: MutableSequence[ResourceUse] = EReference(upper=-1, containment=True)
-    """What functions and libraries take of it."""
+    """Resources that functions and libraries occupy."""
 
     if TYPE_CHECKING:
 
@@ -836,7 +839,7 @@ class PinBus(Element, metaclass=MetaEClass):
     signals: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Its signals, in the order of the ports."""
     ports: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """The pins of the microcontroller that they are on."""
+    """The microcontroller's pins of these signals."""
 
     if TYPE_CHECKING:
 
@@ -850,12 +853,12 @@ class PinBus(Element, metaclass=MetaEClass):
 
 
 class ResourceUse(Element, metaclass=MetaEClass):
-    """What a function or a library takes of a microcontroller."""
+    """Resources of a microcontroller that a function or a library occupies."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """The function, the library or the part."""
     userKind: UserKind = EAttribute(eType=UserKind)
-    """Which of them."""
+    """What it is."""
     timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Names of timers."""
     pins: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -863,9 +866,9 @@ class ResourceUse(Element, metaclass=MetaEClass):
     buses: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Names of buses."""
     condition: str = EAttribute(eType=EString, default_value="")
-    """When it takes them, empty for always."""
+    """When it occupies them, empty for always."""
     ramBytes: int = EAttribute(eType=EInt)
-    """Bytes of data memory that its variables and buffers take; 0 where that is not known."""
+    """RAM of its variables and buffers in bytes; 0 if unknown."""
 
     if TYPE_CHECKING:
 
@@ -896,9 +899,9 @@ class Board(Element, metaclass=MetaEClass):
     volts: float = EAttribute(eType=EDouble)
     """Logic level in volts."""
     led: str = EAttribute(eType=EString, default_value="")
-    """Label of the pin with the built-in light, empty for none."""
+    """Label of the pin with the built-in LED, empty for none."""
     bootLoader: BootLoader | None = EReference(containment=True)
-    """What takes programs on it, if anything does."""
+    """Its boot loader, if it has one."""
     pins: MutableSequence[Pin] = EReference(upper=-1, containment=True)
     """Its pins."""
 
@@ -919,16 +922,16 @@ class Board(Element, metaclass=MetaEClass):
 
 
 class BootLoader(Element, metaclass=MetaEClass):
-    """The program on a board that takes others over its serial line."""
+    """The boot loader of a board, which receives programs over the serial line."""
 
     programmer: str = EAttribute(eType=EString, lower=1)
-    """How tools that upload call its protocol."""
+    """The upload tool's name of its protocol."""
     bauds: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)
-    """Baud rates that it may have, the likeliest first: boards of one name were sold with several."""
+    """Its possible baud rates, the likeliest first."""
     bytes: int = EAttribute(eType=EInt)
-    """Program memory in bytes that it takes."""
+    """The greatest program size in bytes that it accepts."""
     touchBaud: int = EAttribute(eType=EInt)
-    """Baud rate at which its port is opened and closed to make it wait for a program; 0 where a reset by the tool does."""
+    """Baud rate at which opening and closing the port starts it; 0 if a reset does."""
 
     if TYPE_CHECKING:
 
@@ -954,15 +957,15 @@ class Pin(Element, metaclass=MetaEClass):
     aliases: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Other labels."""
     abilities: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """What it can do: digital, pwm, analog_in, interrupt, uart, i2c, spi."""
+    """Its abilities: digital, pwm, analog_in, interrupt, uart, i2c, spi."""
     timer: str = EAttribute(eType=EString, default_value="")
-    """Timer that makes its PWM, empty for none."""
+    """Timer of its PWM, empty for none."""
     channel: str = EAttribute(eType=EString, default_value="")
     """Output of that timer."""
     reserved: str = EAttribute(eType=EString, default_value="")
     """What it is reserved for, empty for nothing."""
     bearsVolts: float = EAttribute(eType=EDouble)
-    """The greatest voltage in volts that this pin bears, if it differs from the microcontroller's; else 0."""
+    """Maximum voltage of this pin in volts, if it differs from the microcontroller's; else 0."""
 
     if TYPE_CHECKING:
 
@@ -982,7 +985,7 @@ class Pin(Element, metaclass=MetaEClass):
 
 
 class PartFact(Element, metaclass=MetaEClass):
-    """What the catalogue says of a hardware part."""
+    """A fact of the catalogue about a hardware part."""
 
     partId: str = EAttribute(eType=EString, lower=1)
     """Identity in the drawing tool's catalogue."""
@@ -995,9 +998,9 @@ class PartFact(Element, metaclass=MetaEClass):
     role: str = EAttribute(eType=EString, default_value="")
     """Its role, a literal of hardware Role."""
     driver: bool = EAttribute(eType=EBoolean)
-    """True when it drives a load of its own."""
+    """True if it drives a load of its own."""
     source: str = EAttribute(eType=EString, default_value="")
-    """Where the fact comes from."""
+    """Source of the fact."""
 
     if TYPE_CHECKING:
 
@@ -1022,7 +1025,7 @@ class Library(Element, metaclass=MetaEClass):
     version: str = EAttribute(eType=EString, default_value="")
     """Its version."""
     headers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Headers that a program includes."""
+    """Headers for programs to include."""
     architectures: MutableSequence[str] = EAttribute(
         eType=EString,
         upper=-1,
@@ -1032,15 +1035,15 @@ class Library(Element, metaclass=MetaEClass):
     depends: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Libraries it needs."""
     timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Timers of the processor that it takes."""
+    """Timers of the processor that it occupies."""
     pins: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Labels of the pins that it takes."""
+    """Labels of the pins that it occupies."""
     takesWhen: str = EAttribute(eType=EString, default_value="")
-    """When it takes its timers and pins, empty for always."""
+    """When it occupies its timers and pins, empty for always."""
     installed: bool = EAttribute(eType=EBoolean)
-    """True when it was found on this machine."""
+    """True if it is installed on this machine."""
     url: str = EAttribute(eType=EString, default_value="")
-    """Its page."""
+    """Its web page."""
 
     if TYPE_CHECKING:
 
@@ -1061,46 +1064,46 @@ class Library(Element, metaclass=MetaEClass):
 
 
 class Adapter(Element, metaclass=MetaEClass):
-    """A piece of adapter text: what does on this platform what a function, or another name, of the source platform does there; or what only such pieces use."""
+    """A piece of adapter text, which replaces a function or another name of the source platform on this platform; or a helper of such pieces."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """What the source platform calls it; for a helper, what the text defines."""
+    """Its name on the source platform; for a helper, the name that the text defines."""
     pieceKind: PieceKind = EAttribute(eType=PieceKind)
-    """What it stands for."""
+    """What it implements."""
     sourceHeader: str = EAttribute(eType=EString, default_value="")
     """Header of the source platform that it belongs to."""
     functions: MutableSequence[ApiFunction] = EReference(upper=-1)
-    """The functions of the source platform that it adapts, as far as the program uses them."""
+    """The functions of the source platform that it replaces, as far as the program uses them."""
     symbols: MutableSequence[ApiSymbol] = EReference(upper=-1)
-    """The other names of the source platform that it stands for, as far as the program uses them."""
+    """The other names of the source platform that it replaces, as far as the program uses them."""
     signatures: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Signatures of the source functions it stands for."""
+    """Signatures of the source functions that it replaces."""
     adapterKind: AdapterKind = EAttribute(eType=AdapterKind)
     """How the calls correspond."""
     targetName: str = EAttribute(eType=EString, default_value="")
-    """Its name in the text, where the target has another of its own name; empty for the same name."""
+    """Its name in the text if the target already uses the original one; else empty."""
     text: str = EAttribute(eType=EString, default_value="")
     """Its text in the language of the target."""
     stackBytes: int = EAttribute(eType=EInt, default_value=-1)
-    """Bytes of stack that a call takes, measured; -1 where nobody has."""
+    """Measured stack of a call in bytes; -1 if not measured."""
     inlinedStackBytes: int = EAttribute(eType=EInt, default_value=-1)
-    """The same where the program calls it at one place only, so that a compiler puts its text there."""
+    """The same if the program calls it at a single place, so that the compiler inlines it."""
     ramBytes: int = EAttribute(eType=EInt)
-    """Bytes of data memory that its own variables take, without those of what it needs and of libraries."""
+    """RAM of its own variables in bytes, without those of its needs and of libraries."""
     fidelity: str = EAttribute(eType=EString, default_value="")
-    """How faithful it is."""
+    """How faithfully it reproduces the original."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """What it does not do, sentences for the person who migrates."""
+    """Its limits, as sentences for the user."""
     includes: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Headers it needs, in angle brackets or quotes."""
     setup: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Statements it needs at the start of the program."""
+    """Statements for the start of the program."""
     libraries: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Libraries of the target that it needs, by name."""
+    """Names of the target's libraries that it needs."""
     componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component it needs."""
     timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Timers of the microcontroller that it takes."""
+    """Timers of the microcontroller that it occupies."""
     vectors: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Interrupts that it handles."""
     takenVectors: MutableSequence[str] = EAttribute(
@@ -1108,23 +1111,23 @@ class Adapter(Element, metaclass=MetaEClass):
         upper=-1,
         unique=False,
     )
-    """Interrupts that a library which it includes handles itself."""
+    """Interrupts that a library which it includes handles."""
     mcus: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Microcontrollers that this variant is for; none for all."""
+    """Microcontrollers that this variant is for; empty for all."""
     symmetric: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Parameters that may change places without a difference."""
+    """Parameters that can be swapped without effect."""
     pins: MutableSequence[AdapterPin] = EReference(upper=-1, containment=True)
     """Its parameters that are pins of the target."""
     ports: MutableSequence[ConventionalPort] = EReference(upper=-1, containment=True)
-    """Pins that it uses without being told."""
+    """Pins that it uses by convention."""
     ranges: MutableSequence[ArgumentRange] = EReference(upper=-1, containment=True)
-    """Values of its parameters that it can serve; others do something else than there."""
+    """Argument values that it supports."""
     tables: MutableSequence[PortTable] = EReference(upper=-1, containment=True)
-    """Tables that it looks ports of the source up in."""
+    """Tables in which it looks up ports of the source."""
     interrupts: MutableSequence[InterruptStack] = EReference(upper=-1, containment=True)
-    """What interrupts take that come once it is called, measured."""
+    """Measured stacks of the interrupts that occur once it has been called."""
     source: str = EAttribute(eType=EString, default_value="")
-    """Path of the file that it was read from, relative to its platform in the repository."""
+    """Path of its file, relative to its platform in the repository."""
     needs: MutableSequence[Adapter] = EReference(upper=-1)
     """Other pieces it needs."""
 
@@ -1172,13 +1175,13 @@ class AdapterPin(Element, metaclass=MetaEClass):
     name: str = EAttribute(eType=EString, lower=1)
     """The parameter."""
     capability: PinCapability = EAttribute(eType=PinCapability)
-    """What the pin must be able to do."""
+    """The ability that the pin must have."""
     direction: Direction = EAttribute(eType=Direction)
     """Its direction."""
     signed: bool = EAttribute(eType=EBoolean)
-    """True when a negative value has a meaning of its own."""
+    """True if a negative value has a meaning of its own."""
     split: bool = EAttribute(eType=EBoolean)
-    """True when the component may have a wire for each direction: the pin is either of them, and the adapter finds the other."""
+    """True if the component may have a wire for each direction: the pin is either of them, and the adapter finds the other."""
     componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component that is expected there, empty for any."""
 
@@ -1197,24 +1200,24 @@ class AdapterPin(Element, metaclass=MetaEClass):
 
 
 class ArgumentRange(Element, metaclass=MetaEClass):
-    """Which values of a parameter an adapter can serve."""
+    """The argument values of a parameter that an adapter supports."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """The parameter, as the source's signature calls it."""
+    """The parameter's name in the source's signature."""
     position: int = EAttribute(eType=EInt)
-    """Its position among the parameters, from 0."""
+    """The parameter's index."""
     least: int = EAttribute(eType=EInt, default_value=-2147483648)
-    """The least value that it serves."""
+    """The least supported value."""
     most: int = EAttribute(eType=EInt, default_value=2147483647)
-    """The greatest value that it serves."""
+    """The greatest supported value."""
     others: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)
-    """Values outside of these that it serves all the same, such as 0 for off."""
+    """Further supported values, such as 0 for off."""
     beside: str = EAttribute(eType=EString, default_value="")
-    """The piece, with its header, in whose presence alone the range holds; empty for always."""
+    """The piece, with its header, in whose presence alone the range applies; empty for always."""
     awayFrom: str = EAttribute(eType=EString, default_value="")
-    """Name of a pin of the target: calls that are given it have no such range; empty for none."""
+    """Name of a pin of the target whose calls have no such range; empty for none."""
     effect: str = EAttribute(eType=EString, default_value="")
-    """What happens with other values, half a sentence."""
+    """The effect of other values, as half a sentence."""
 
     if TYPE_CHECKING:
 
@@ -1233,16 +1236,16 @@ class ArgumentRange(Element, metaclass=MetaEClass):
 
 
 class ConventionalPort(Element, metaclass=MetaEClass):
-    """A pin that an adapter uses without being told: a constant of its text that is declared with the pin to which the port is bound."""
+    """A pin that an adapter uses by convention: a generated constant with the pin to which the port is bound."""
 
     constant: str = EAttribute(eType=EString, lower=1)
     """The constant."""
     name: str = EAttribute(eType=EString, default_value="")
-    """How a person names the port: abdrive.left_servo."""
+    """The port's name for users: abdrive.left_servo."""
     number: int = EAttribute(eType=EInt)
     """Its number on the source board."""
     capability: PinCapability = EAttribute(eType=PinCapability)
-    """What the pin must be able to do."""
+    """The ability that the pin must have."""
     direction: Direction = EAttribute(eType=Direction)
     """Its direction."""
     componentRole: str = EAttribute(eType=EString, default_value="")
@@ -1263,12 +1266,12 @@ class ConventionalPort(Element, metaclass=MetaEClass):
 
 
 class PortTable(Element, metaclass=MetaEClass):
-    """A table that an adapter looks ports of the source up in, declared as an array with the pin of each port from 0 on."""
+    """A table in which an adapter looks up ports of the source: an array with the pin of each port, from 0 on."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name in the text."""
     count: int = EAttribute(eType=EInt)
-    """How many ports it tells of."""
+    """The number of ports in it."""
 
     if TYPE_CHECKING:
 
@@ -1281,14 +1284,14 @@ class PortTable(Element, metaclass=MetaEClass):
 
 
 class InterruptStack(Element, metaclass=MetaEClass):
-    """How much stack an interrupt takes that comes once an adapter is called."""
+    """The stack of an interrupt that occurs once an adapter has been called."""
 
     vector: str = EAttribute(eType=EString, lower=1)
     """The interrupt."""
     stackBytes: int = EAttribute(eType=EInt)
-    """Its bytes, with the address that it returns to."""
+    """Its stack in bytes, including the return address."""
     openBytes: int = EAttribute(eType=EInt, default_value=-1)
-    """Its bytes where it lets other interrupts in; -1 where it does not."""
+    """Its stack in bytes if it enables other interrupts; -1 if it does not."""
 
     if TYPE_CHECKING:
 
@@ -1302,12 +1305,12 @@ class InterruptStack(Element, metaclass=MetaEClass):
 
 
 class UnsupportedHeader(Element, metaclass=MetaEClass):
-    """A header of the source platform that this platform cannot serve."""
+    """A header of the source platform that this platform cannot support."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """The header, as it is included."""
     reason: str = EAttribute(eType=EString, default_value="")
-    """What is missing here, a sentence."""
+    """What is missing here, as a sentence."""
 
     if TYPE_CHECKING:
 

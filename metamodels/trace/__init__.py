@@ -1,4 +1,4 @@
-"""Where things come from: links from sources to targets of a transformation, and from lines of generated text to model elements.
+"""Origins: links from sources to targets of a transformation, and from lines of generated text to model elements.
 
 Generated from trace.ecore by robosmi metamodels generate. Do not edit.
 """
@@ -52,16 +52,16 @@ class Trace(Element, metaclass=MetaEClass):
 
 
 class TraceLink(Element, metaclass=MetaEClass):
-    """A rule made targets from sources."""
+    """A rule created targets from sources."""
 
     rule: str = EAttribute(eType=EString, lower=1)
     """Name of the rule."""
     step: str = EAttribute(eType=EString, default_value="")
     """Step of the method."""
     sources: MutableSequence[Element] = EReference(upper=-1)
-    """What it was made from."""
+    """Its sources."""
     targets: MutableSequence[Element] = EReference(upper=-1)
-    """What was made."""
+    """Its targets."""
 
     if TYPE_CHECKING:
 
@@ -76,7 +76,7 @@ class TraceLink(Element, metaclass=MetaEClass):
 
 
 class TextTrace(Element, metaclass=MetaEClass):
-    """Lines of a generated file come from elements."""
+    """Lines of a generated file that are derived from elements."""
 
     path: str = EAttribute(eType=EString, lower=1)
     """The generated file, relative to the output folder."""
@@ -85,11 +85,11 @@ class TextTrace(Element, metaclass=MetaEClass):
     endLine: int = EAttribute(eType=EInt)
     """Last line."""
     step: str = EAttribute(eType=EString, default_value="")
-    """Step of the method that made them."""
+    """Step of the method that generated them."""
     rule: str = EAttribute(eType=EString, default_value="")
-    """Part of the template that made them."""
+    """Block of the template that generated them."""
     elements: MutableSequence[Element] = EReference(upper=-1)
-    """The elements they come from."""
+    """The elements they are derived from."""
 
     if TYPE_CHECKING:
 

@@ -1,6 +1,7 @@
-"""What a long command is doing now: announced by the working code, and received by a listener such as the progress line.
+"""What a long command is doing now, and what it knows before its result: told by the working code, received by a listener.
 
-Without a listener an announcement has no effect. A listener receives those of its own thread only.
+An announcement holds until the next one, as on the progress line; a remark stays. Without a listener neither has an effect. A
+listener receives those of its own thread only.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from contextvars import ContextVar
 
 Listener = Callable[[str], None]
 _listener: ContextVar[Listener | None] = ContextVar("robosmi_doing", default=None)
+_reader: ContextVar[Listener | None] = ContextVar("robosmi_remarks", default=None)
 
 
 def announce(what: str) -> None:
@@ -20,11 +22,19 @@ def announce(what: str) -> None:
         listener(what)
 
 
+def remark(what: str) -> None:
+    """Tell at once, in a line that stays, what a person need not wait for the result to know."""
+    reader = _reader.get()
+    if reader is not None:
+        reader(what)
+
+
 @contextmanager
-def heard_by(listener: Listener) -> Iterator[None]:
-    """Context manager: the listener receives the announcements, instead of an earlier one."""
-    before = _listener.set(listener)
+def heard_by(listener: Listener, reader: Listener | None = None) -> Iterator[None]:
+    """Context manager: the listener receives the announcements and the reader the remarks, instead of earlier ones."""
+    before, before_reader = _listener.set(listener), _reader.set(reader)
     try:
         yield
     finally:
+        _reader.reset(before_reader)
         _listener.reset(before)

@@ -26,6 +26,6 @@ def read_chain(path: str | Path) -> Chain:
         SourceError: it cannot be read, is no TOML, or has a step or key that means nothing.
         RuleError: the code of a function cannot be imported.
     """
-    from robosmi.chain.reading import read_chain as read  # wanted for chains in files only
+    from robosmi.chain.reading import read_chain as read  # needed for chains in files only
 
     return read(path)

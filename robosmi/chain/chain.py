@@ -7,14 +7,14 @@
     c.generate(pages, models=["site"], folder="out", templates="templates")
     c.run()
 
-Steps may be plain functions over values in memory, too; then a run is kept, asked and told something else:
+Steps may be plain functions over values in memory, too; then a run stays usable, with other values:
 
     c = Chain(None)
     c.given("numbers")
     c.call(lambda numbers: sum(numbers), makes="total")
     run = c.start(numbers=[1, 2])
     run.value("total")           # 3
-    run.give(numbers=[1, 2, 3])  # what depends on it is done again when it is asked for, and nothing else
+    run.give(numbers=[1, 2, 3])  # only the steps that depend on it run again, on demand
 
 How a step is done is `languages`' business, when and in which order `run`'s, what depends on what `graph`'s.
 """
@@ -52,7 +52,7 @@ class Chain:
     """A workflow.
 
     Args:
-        folder: what paths are relative to, and beside what the state is kept (`.robosmi/chains`); None for a chain of values
+        folder: the base of relative paths, with the state in `.robosmi/chains`; None for a chain of values
             alone, which reads and makes no files of its own and remembers nothing longer than a run lives.
         name: the chain's name; two chains in one folder have different ones.
         place: where it is declared, for errors.
@@ -117,9 +117,10 @@ class Chain:
         *,
         models: Names,
         makes: str,
-        metamodel: Paths,
+        metamodel: Paths = (),
         file: str | Path | None = None,
         trace: str | Path | None = None,
+        driver: str | None = None,
         reads: Paths = (),
         step: str = "",
     ) -> None:
@@ -132,10 +133,19 @@ class Chain:
             metamodel: its .ecore files, or "ecore" for a model that is a metamodel itself.
             file: where it is saved; without one it stays in memory, and is made anew whenever a later step needs it.
             trace: where the trace is saved as a model that refers to those of the sources and targets; these must have files.
+            driver: "xml" for a new document of plain XML, which has no metamodel.
             reads: further files it reads.
             step: the step's name; the function's if not given.
         """  # fmt: skip
-        self._add(step, "transform", function, models, makes=makes, metamodel=metamodel, file=file, trace=trace, reads=reads)
+        if driver not in (None, "emf", "xml"):
+            fix = 'use "xml" for plain XML, or leave it out and give the metamodel'
+            raise SourceError(f"no new model can be made by the driver '{driver}'", location=self.place, fix=fix)
+        if (driver == "xml") == bool(metamodel):
+            said = "plain XML has no metamodel" if metamodel else f"the model '{makes}' has no metamodel"
+            fix = "leave the metamodel out" if metamodel else 'name its .ecore files, "ecore", or driver = "xml" for plain XML'
+            raise SourceError(said, location=self.place, fix=fix)
+        options = {"metamodel": metamodel, "file": file, "trace": trace, "driver": driver, "reads": reads}
+        self._add(step, "transform", function, models, makes=makes, **options)
 
     def migrate(
         self,
@@ -211,7 +221,7 @@ class Chain:
 
         Args:
             name: the step's name, or that of the value that it makes.
-            function: as for `call`. What it returns is held against what the first function says that it returns.
+            function: as for `call`. Its result is checked against the return annotation of the first function.
 
         Raises:
             SourceError: there is no such step of values.
@@ -289,11 +299,11 @@ class Chain:
         graph = self.dependencies()
         ordered = topological_order(self.steps, graph, self.place)
         for step, path in missing(ordered, graph, self.folder):
-            said = f"reads '{relative(path, self.folder or path)}', which does not exist and no step makes"
-            beside = [ECORE, *(file.name for file in path.parent.glob("*.ecore"))] if path in step.metamodel else []
-            meant = did_you_mean(path.name, beside)
+            problem = f"reads '{relative(path, self.folder or path)}', which does not exist and no step makes"
+            nearby = [ECORE, *(file.name for file in path.parent.glob("*.ecore"))] if path in step.metamodel else []
+            meant = did_you_mean(path.name, nearby)
             raise SourceError(
-                f"the step '{step.name}' {said}{meant}",
+                f"the step '{step.name}' {problem}{meant}",
                 location=self.place or Location(str(path)),
                 fix="correct the path, relative to the chain's folder; nothing was done",
             )
@@ -315,9 +325,9 @@ class Chain:
         """Do the steps whose inputs have changed since they were done last, or whose outputs are gone.
 
         Args:
-            dry_run: write nothing; the result says what would be written.
-            keep: keep what persons changed in generated files outside of regions too.
-            force: do every step; a stored model that a person changed is made anew, and theirs is kept beside it.
+            dry_run: write nothing; the result lists what would be written.
+            keep: keep users' edits of generated files outside of regions too.
+            force: run every step; a stored model with a user's edits is made again, and theirs becomes NAME.orig.
             fix: perform this fix of every finding of a validation ("first", "last", or a function from a finding to one of its
                 fixes), and store the loaded models that it changes. A model that another step makes is left as it is.
             values: those that are given from outside.
@@ -325,7 +335,7 @@ class Chain:
         Raises:
             SourceError: the chain is wrong, a value is not given, or a file cannot be read or written.
             RuleError: a rule or template is wrong, or raises.
-            StoppedError: what a person changed would be lost.
+            StoppedError: a user's edits would be lost.
         """
         return self.start(dry_run=dry_run, keep=keep, force=force, fix=fix, progress=None, **values).run()
 
@@ -339,11 +349,11 @@ class Chain:
         progress: Progress | None = None,
         **values: V,
     ) -> ChainRun:
-        """A run in which nothing is done yet: to be asked for values, told others, and asked again.
+        """A run that has done nothing yet; read values from it, set others, and read again.
 
         Args:
             dry_run, keep, force, fix, values: as for `run`.
-            progress: told of each step before it is done, and with its result afterwards.
+            progress: called with each step before it runs, and with its result afterwards.
 
         Raises:
             SourceError: the chain is wrong, or a value is given that the chain does not know.
@@ -377,7 +387,7 @@ def _check_parameters(step: Step) -> None:
     except (TypeError, ValueError):  # some callables of C have none
         return
     names = step.given_models()
-    wanted = ["the path", "the model's name"] if step.kind == "load" else ["the language", *names]
+    needed = ["the path", "the model's name"] if step.kind == "load" else ["the language", *names]
     try:
         if step.kind == "load":
             signature.bind(None, None)
@@ -389,5 +399,5 @@ def _check_parameters(step: Step) -> None:
         raise RuleError(
             f"the function of the step '{step.name}' does not fit: {error}",
             location=place_of(step.function),
-            fix=f"give it these parameters: {', '.join(wanted)}; nothing was done",
+            fix=f"give it these parameters: {', '.join(needed)}; nothing was done",
         ) from None

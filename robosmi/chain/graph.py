@@ -135,13 +135,13 @@ def topological_order(steps: Sequence[Step], graph: Dependencies, place: Locatio
             if not waits[second]:
                 heapq.heappush(ready, (position.get(second, -1), second))
     if done < len(waits):
-        told = " -> ".join(_circle(graph.before))
-        raise _wrong(f"the chain goes in a circle: {told}", "take out one of these dependencies", place)
+        circle = " -> ".join(_circle(graph.before))
+        raise _wrong(f"the chain goes in a circle: {circle}", "take out one of these dependencies", place)
     return ordered
 
 
 def _circle(before: Mapping[str, Iterable[str]]) -> list[str]:
-    from graphlib import CycleError, TopologicalSorter  # wanted for a wrong chain only
+    from graphlib import CycleError, TopologicalSorter  # needed for a wrong chain only
 
     try:
         TopologicalSorter(before).prepare()

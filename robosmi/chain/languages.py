@@ -50,10 +50,10 @@ class StepContext(Struct):
         folder: what paths are relative to.
         models: its models by name.
         files: the files of those that have one.
-        made: names of those that another step makes; the rest was loaded from what a person wrote.
+        made: names of those that another step makes; the rest was loaded from users' files.
         session: in which metamodels are the same for all steps.
         dry_run, keep, fix: the options of the run.
-        rewritten: is told of each file of a person's model that a fix has changed, in a few words.
+        rewritten: receives a short text for each file of a user's model that a fix has changed.
     """
 
     folder: Path
@@ -102,11 +102,11 @@ def validate(step: Step, doing: StepContext) -> tuple[StepResult, None]:
     """Check constraints; the step fails when a finding is worse than it may be."""
     result = StepResult(step, "done")
     found = _validated(step, doing)
-    said: list[Finding] = []
+    reported: list[Finding] = []
     if doing.fix is not None and not doing.dry_run:
-        said = _mend(result, found, doing, doing.fix)
+        reported = _mend(result, found, doing, doing.fix)
         found = _validated(step, doing) if result.fixed else found
-    result.findings = [*said, *(_located(finding, doing.files) for finding in found.findings())]
+    result.findings = [*reported, *(_located(finding, doing.files) for finding in found.findings())]
     result.state = "failed" if any(finding.severity > step.greatest for finding in result.findings) else "done"
     return result, None
 
@@ -128,7 +128,7 @@ def _mend(result: StepResult, found: Validation, doing: StepContext, fix: Choice
     before = {name: _stored(model) for name, model in loaded.items()}
     made = [model for name, model in doing.models.items() if name in doing.made]
     unwritable = [model for model in given.values() if model.read_only]
-    said = []
+    reported = []
     left = []
     for models, why, advice in (
         (made, "another step makes the model", "correct the rules of that step"),
@@ -138,7 +138,7 @@ def _mend(result: StepResult, found: Validation, doing: StepContext, fix: Choice
             if u.fixes and owner_of(u.element, models) is not None:
                 left.append(u)
                 message = f"the fix '{u.fixes[0].title}' was not performed: {why}"
-                said.append(Finding("RS532", Severity.info, message, element=found.place(u), fix=advice))
+                reported.append(Finding("RS532", Severity.info, message, element=found.place(u), fix=advice))
 
     def choose(unsatisfied: Unsatisfied) -> ApplicableFix | None:
         fixes = unsatisfied.fixes if unsatisfied not in left else []
@@ -150,18 +150,18 @@ def _mend(result: StepResult, found: Validation, doing: StepContext, fix: Choice
         if applied.error is None:
             result.fixed.append(title)
         else:
-            said.append(Finding("RS533", Severity.warning, f"the fix was undone: {applied.error.message}", applied.error.location,
-                                fix=applied.error.fix))  # fmt: skip
+            message = f"the fix was undone: {applied.error.message}"
+            reported.append(Finding("RS533", Severity.warning, message, applied.error.location, fix=applied.error.fix))
     for name, model in loaded.items():
         if _stored(model) != before[name]:
-            said += _store(model, doing)
+            reported += _store(model, doing)
             result.saved.append(name)
             result.written.append(relative(Path(str(model.path)), doing.folder))
-    return said
+    return reported
 
 
 def _store(model: Model, doing: StepContext) -> list[Finding]:
-    """Write a person's model again; an old file with comments, which a model does not contain, is kept and reported."""
+    """Save a user's model again; an old file with comments, which a model does not contain, is renamed and reported."""
     path = Path(str(model.path))
     old = inputs.read_bytes(path, inputs.MODEL) if path.is_file() else b""
     lost = comments_lost(old, _stored(model))
@@ -170,12 +170,12 @@ def _store(model: Model, doing: StepContext) -> list[Finding]:
         model.save()
         doing.rewritten.append(f"'{name}'")
         return []
-    kept = free_name(path.parent, f"{path.name}.orig")
-    write_atomic(path.parent / kept, old)
+    backup = free_name(path.parent, f"{path.name}.orig")
+    write_atomic(path.parent / backup, old)
     model.save()
-    doing.rewritten.append(f"'{name}' (what it held is in '{kept}')")
+    doing.rewritten.append(f"'{name}' (the old content is in '{backup}')")
     place = Location(str(path), lost[0])
-    return [Finding("RS524", Severity.warning, lost_comments(lost, kept), place, fix="keep such notes outside of the models")]
+    return [Finding("RS524", Severity.warning, lost_comments(lost, backup), place, fix="keep such notes outside of the models")]
 
 
 def _stored(model: Model) -> bytes:
@@ -194,7 +194,7 @@ def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
 
 def transform(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
     """Make a model of others, by ETL or Flock, and save it where it has a file."""
-    made = ModelView(EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes))
+    made = ModelView(_new(step, doing))
     models = {**doing.models, step.makes: made}
     module: ETL | Flock = ETL(*models.values()) if step.kind == "transform" else Flock(*list(models.values())[-2:])
     call(step, module, models)
@@ -214,6 +214,15 @@ def transform(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
             stored = {relative(path, step.trace.parent): models[name] for name, path in files.items() if path is not None}
             save_model(module.trace.to_model(), step.trace, {p: list(m.roots) for p, m in _of_emf(stored)})
     return result, made
+
+
+def _new(step: Step, doing: StepContext) -> Model:
+    """The model that a step is to fill."""
+    if step.driver == "xml":
+        from robosmi.model.plain_xml import XmlModel  # few chains make plain XML
+
+        return XmlModel.new(step.file, step.makes)
+    return EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes, step.file)
 
 
 def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:

@@ -1,4 +1,4 @@
-"""Chains in TOML: a table `[[step]]` for each step, whose kind is the key that says what it does (docs/reference/chains.md)."""
+"""Chains in TOML: a table `[[step]]` for each step, whose kind is the key with its action (docs/reference/chains.md)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _KEYS: dict[str, dict[str, bool]] = {
     "load": {"file": True, "metamodel": False, "driver": False, "lenient": False},
     "validate": {"models": True, "stop_at": False},
-    "transform": {"models": True, "makes": True, "metamodel": True, "file": False, "trace": False},
+    "transform": {"models": True, "makes": True, "metamodel": False, "file": False, "trace": False, "driver": False},
     "migrate": {"models": True, "makes": True, "metamodel": True, "file": False},
     "generate": {"models": True, "folder": True, "templates": False},
 }
@@ -68,8 +68,8 @@ def _add(chain: Chain, step: dict[str, Any], number: int, folder: Path, place: L
     if len(kinds) != 1:
         known_keys = {*KINDS, "name", "reads", *(key for keys in _KEYS.values() for key in keys)}
         odd = next((f"; '{key}' is no key{did_you_mean(key, known_keys)}" for key in step if key not in known_keys), "")
-        said = f"says nothing of what it does{odd}" if not kinds else f"does two things: {' and '.join(kinds)}"
-        raise _wrong(place, f"step {number} {said}", f"give it one of the keys {', '.join(KINDS)}")
+        problem = f"has no action{odd}" if not kinds else f"has two actions: {' and '.join(kinds)}"
+        raise _wrong(place, f"step {number} {problem}", f"give it one of the keys {', '.join(KINDS)}")
     kind = kinds[0]
     known = {**_KEYS[kind], "name": False, "reads": False}
     target = _text(place, number, kind, step.pop(kind))
@@ -141,7 +141,7 @@ def _module_of_file(path: Path, place: Location) -> Any:
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     before = list(sys.path)
-    sys.path.insert(0, str(path.parent))  # files beside it may be imported
+    sys.path.insert(0, str(path.parent))  # its folder's files may be imported
     try:
         spec.loader.exec_module(module)
     except SyntaxError as error:

@@ -1,7 +1,7 @@
 """One run of a chain: decides which steps have to be done, holds the models between them, and remembers the results.
 
 A step is up to date if the digest of its inputs equals that of its last run and its outputs still exist. A model is read or
-made only when a step needs it. A run may be kept: ask it for a value, set another one (`give`), ask again; then only what
+made only when a step needs it. A run stays usable: read a value, set another one (`give`), read again; then only what
 depends on it is done again. A recomputed value that equals the old one counts as unchanged.
 
 Also: checks whether a value has the type that a function's annotation promises, for functions that replace a step.
@@ -83,15 +83,15 @@ class ChainRun:
     """One run of a chain.
 
     Args:
-        ordered: the steps, each behind those it depends on.
+        ordered: the steps, each after those it depends on.
         graph: what depends on what.
         folder: what paths are relative to; None where there are values only.
-        name: the chain's name, under which its state is kept.
+        name: the chain's name, under which its state is stored.
         dry_run: write nothing.
-        keep: keep what persons changed in generated files outside of regions too.
-        force: do every step; a stored model that a person changed is made anew, and theirs is kept beside it as `NAME.orig`.
+        keep: keep users' edits of generated files outside of regions too.
+        force: run every step; a stored model with a user's edits is made again, and theirs becomes `NAME.orig`.
         fix: perform this fix of every finding of a validation, and store the models that it changes; see `Validation.apply`.
-        progress: told of each step that is done.
+        progress: called with each step that has run.
     """
 
     def __init__(
@@ -130,7 +130,7 @@ class ChainRun:
         for name, value in values.items():
             if name not in self.makers or self.makers[name].kind != GIVEN:
                 known = [step.makes for step in self.ordered if step.kind == GIVEN]
-                fix = f"use one of: {', '.join(known) or 'none is asked for'}"
+                fix = f"use one of: {', '.join(known) or 'the chain needs none'}"
                 raise SourceError(f"the chain asks for no value '{name}'{did_you_mean(name, known)}", fix=fix)
             self._set(name, value)
 
@@ -143,7 +143,7 @@ class ChainRun:
 
         Args:
             name: of the model or value.
-            kind: the class that it is of, for type checkers and those who read; held against what was made.
+            kind: the class that it is of, for type checkers and readers; checked against the value.
 
         Raises:
             SourceError: no step makes it, or a value that it needs was not given; and what the steps raise.
@@ -174,7 +174,7 @@ class ChainRun:
         """Do the steps that have to be done.
 
         Args:
-            goals: names of the models and values that are wanted; None for everything.
+            goals: names of the models and values to make; None for everything.
         """
         begun = time.perf_counter()
         self.stopped.clear()
@@ -182,13 +182,13 @@ class ChainRun:
         self._renew()
         results = []
         known = {step.name for step in self.ordered}
-        wanted = None if goals is None else self.graph.needed(f"model {name}" for name in goals)
+        needed = None if goals is None else self.graph.needed(f"model {name}" for name in goals)
         self.state.steps = {name: entry for name, entry in self.state.steps.items() if name in known}
         try:
             for step in self.ordered:
                 if step.kind == GIVEN:
-                    self._check_given(step, wanted)
-                elif wanted is None or f"step {step.name}" in wanted:
+                    self._check_given(step, needed)
+                elif needed is None or f"step {step.name}" in needed:
                     start = time.perf_counter()
                     result = self.step(step)
                     result.seconds = time.perf_counter() - start
@@ -202,8 +202,8 @@ class ChainRun:
                 self.state.save()  # of what was done, also where a later step fails
         return ChainResult(results, time.perf_counter() - begun)
 
-    def _check_given(self, step: Step, wanted: set[str] | None) -> None:
-        if step.makes not in self.models and (wanted is None or f"step {step.name}" in wanted):
+    def _check_given(self, step: Step, needed: set[str] | None) -> None:
+        if step.makes not in self.models and (needed is None or f"step {step.name}" in needed):
             raise SourceError(f"the value '{step.makes}' was not given", fix=f"give it: {step.makes}=...")
 
     def step(self, step: Step) -> StepResult:
@@ -238,7 +238,7 @@ class ChainRun:
         if result.state == "failed":
             self.stopped |= set(step.models)
         if step.kind != "load" and step.makes and step.file is not None and result.state in ("done", "up to date"):
-            files = (step.file, *step.metamodel_files())  # the same model again changes nothing behind it
+            files = (step.file, *step.metamodel_files())  # the same model again changes nothing after it
             self.content[step.makes] = digest_of_all((str(n), digest_of(path)) for n, path in enumerate(files))
         return result
 
@@ -272,12 +272,12 @@ class ChainRun:
                 known.inputs = self.content[name]
 
     def guard(self, step: Step, known: StepState | None) -> list[Finding]:
-        """Make sure that a stored model changed by hand is not overwritten; with `force` it is kept beside the new one.
+        """Make sure that a stored model changed by hand is not overwritten; with `force` it becomes NAME.orig.
 
         Raises:
             StoppedError: it would be lost.
         """
-        said = []
+        reported = []
         for path in step.stored() if known is not None else []:
             name = relative(path, self.folder)
             if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
@@ -287,15 +287,15 @@ class ChainRun:
                     kept = free_name(self.folder, f"{name}.orig")
                     if not self.dry_run:
                         write_atomic(self.folder / kept, inputs.read_bytes(path, inputs.MODEL))
-                    message = f"'{name}' was changed since the step '{step.name}' made it; what it held is in '{kept}'"
-                    said.append(Finding("RS531", Severity.info, message, Location(str(path)), fix="take over what is wanted"))
+                    message = f"'{name}' was changed since the step '{step.name}' made it; the old content is in '{kept}'"
+                    reported.append(Finding("RS531", Severity.info, message, Location(str(path)), fix="take over what you need"))
                     continue
                 raise StoppedError(
                     f"'{name}' was changed since the step '{step.name}' made it: writing would lose that",
                     location=Location(str(path)),
-                    fix="move it away, let another step read it, or run with --force, which keeps it beside the new one",
+                    fix="move it away, let another step read it, or run with --force, which renames it to NAME.orig",
                 )
-        return said
+        return reported
 
     def _done(self, step: Step) -> StepResult:
         """Do a step; if its code ends the program, that is an error of the step, whatever exit code it names."""
@@ -347,7 +347,7 @@ class ChainRun:
         return self._session
 
     def _renew(self) -> None:
-        """Forget the models of a kept run if a metamodel has changed, since their classes are those of the old one."""
+        """Forget the models of a run if a metamodel has changed, since their classes are those of the old one."""
         if self._session is not None and self._session.changed() is not None:
             self._session = None
             self.models = {name: made for name, made in self.models.items() if self.makers[name].kind in (CALL, GIVEN)}
@@ -390,7 +390,7 @@ class ChainRun:
         if name not in self.models:
             maker = self.makers[name]
             if maker.kind != "load" and maker.file is not None and maker.file.is_file():
-                maker = Step(maker.name, "load", makes=name, file=maker.file, metamodel=maker.metamodel)
+                maker = Step(maker.name, "load", makes=name, file=maker.file, metamodel=maker.metamodel, driver=maker.driver)
             self.do(maker)
         made: Dynamic = self.models[name]
         return made
@@ -410,7 +410,7 @@ def unlike(value: Any, function: Function) -> str:
 
     Args:
         value: what was made.
-        function: the function whose return annotation says what is expected; one without an annotation expects anything.
+        function: the function with the expected return annotation; one without an annotation expects anything.
     """
     try:
         expected = typing.get_type_hints(function).get("return", Any)
@@ -433,7 +433,7 @@ def _fits(value: Any, expected: Any) -> bool:
 
 
 def named(expected: Any) -> str:
-    """A type as a person writes it: `list[PortBinding]`, `StoredDrawing or None`."""
+    """A type as users write it: `list[PortBinding]`, `StoredDrawing or None`."""
     origin, members = typing.get_origin(expected), typing.get_args(expected)
     if origin in (typing.Union, types.UnionType):
         return " or ".join(named(member) for member in members)

@@ -1,6 +1,6 @@
 """The memory of a chain between runs: for each step the digests of its inputs and outputs, and its findings.
 
-The state is stored in `.robosmi/chains` beside the chain. It can be deleted at any time; then every step is done again.
+The state is stored in `.robosmi/chains` in the chain's folder. You can delete it at any time; then every step runs again.
 """
 
 from __future__ import annotations

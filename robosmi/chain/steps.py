@@ -55,7 +55,7 @@ class Step(Struct, frozen=True):
         code: the files that the function comes from.
         greatest: the worst severity of findings with which a `validate` lets the next steps go on.
         place: where it is declared, for errors.
-        instead_of: the function that this one was put in the place of (`Chain.replace`), which says what is to be made; or None.
+        instead_of: the function that this one replaces (`Chain.replace`), which declares the result; or None.
     """
 
     name: str
@@ -149,7 +149,7 @@ _REFERRING = ("eClassifier", "eExceptions", "eKeys", "eOpposite", "eRawType", "e
 def files_of(paths: Iterable[Path]) -> list[Path]:
     """The files of metamodels, each once: the given ones in order, then those that they refer to.
 
-    A file that cannot be read refers to nothing; whoever loads it is told.
+    A file that cannot be read refers to nothing; loading it reports the error.
     """
     files = EcoreFiles()
     found: dict[Path, Path] = {}

@@ -103,6 +103,10 @@ class ComparedPrograms(Analysed, Protocol):
     def written(self) -> Sequence[tuple[Path, str]]:
         """Path and kind of each file written."""
 
+    @property
+    def notes(self) -> Sequence[str]:
+        """What else a person is told."""
+
 
 class SimulatedSketch(Analysed, Protocol):
     """A sketch that was run in a simulator."""

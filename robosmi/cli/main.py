@@ -54,6 +54,7 @@ if TYPE_CHECKING:
 
 
 COMMANDS = {
+    "demo": "migrate the example that comes with RoboSMi and open it in the browser",
     "analyse": "list what a program uses of its platform",
     "hardware": "list which pin of a drawn board drives which component",
     "recommend": "recommend a library for each component",
@@ -272,6 +273,7 @@ if __name__ == "__main__":
 
 
 EXAMPLES = {
+    "demo": "robosmi demo",
     "analyse": "robosmi analyse robot.c -I include --json",
     "hardware": "robosmi hardware robot.fzz --svg wiring.svg",
     "recommend": "robosmi recommend robot.fzz",

@@ -1,6 +1,7 @@
-"""Progress on the terminal: what is being done, once a command takes longer than a moment. Never in a pipe.
+"""Progress on standard error: on a terminal what is being done, once a command takes longer than a moment.
 
-That is the step of a chain, or what is said within it (`robosmi.base.progress_events`), as which scenario is run.
+That is the step of a chain, or what is said within it (`robosmi.base.progress_events`), as which scenario is run. In a log it is
+one line, once a command takes long. Remarks stay in both.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from robosmi.base.progress_events import heard_by
@@ -21,6 +23,8 @@ if TYPE_CHECKING:  # a command that uses no chain does not wait for chains
 
 QUIET = 1.0
 """Seconds in which nothing is said."""
+LONG = 10.0
+"""Seconds after which a log gets its line."""
 
 
 @contextmanager
@@ -30,18 +34,39 @@ def progress() -> Iterator[Progress | None]:
     What is said in between is shown, too (see `robosmi.base.progress_events`). Within another one, this one is heard.
     """
     if not sys.stderr.isatty():
-        yield None
+        log = _Log()
+        with heard_by(log.said, log.noted):
+            yield None
         return
     shown = _Line()
     timer = threading.Timer(QUIET, shown.begin)
     timer.daemon = True
     timer.start()
     try:
-        with heard_by(shown.said):
+        with heard_by(shown.said, shown.noted):
             yield shown.told
     finally:
         timer.cancel()
         shown.end()
+
+
+class _Log:
+    """The lines in a log or pipe."""
+
+    def __init__(self) -> None:
+        self.begun = monotonic()
+        self.told = False
+
+    def said(self, what: str) -> None:
+        """Something is being done now: the first that takes the command beyond `LONG` is written."""
+        if what and not self.told and monotonic() - self.begun >= LONG:
+            self.told = True
+            self.noted(f"{what} ...")
+
+    def noted(self, what: str) -> None:
+        """Write a line."""
+        sys.stderr.write(f"{terminal(what)}\n")
+        sys.stderr.flush()
 
 
 class _Line:
@@ -70,6 +95,14 @@ class _Line:
         """Something is being done now, within a step or without one."""
         with self.lock:
             self.step = what
+            self.show()
+
+    def noted(self, what: str) -> None:
+        """Write a line that stays, above the one that is being written over."""
+        with self.lock:
+            sys.stderr.write(f"\r\x1b[K{terminal(what)}\n" if self.written else f"{terminal(what)}\n")
+            sys.stderr.flush()
+            self.written = ""
             self.show()
 
     def show(self) -> None:

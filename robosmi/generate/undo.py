@@ -51,6 +51,8 @@ def save_previous(
     contents: Mapping[str, bytes],
     removed: Collection[str] = (),
     outside: ExternalFiles | None = None,
+    *,
+    amending: bool = False,
 ) -> ExternalFiles:
     """What a run that is about to write and remove these files is to write elsewhere, so that it can be taken back.
 
@@ -63,6 +65,7 @@ def save_previous(
         contents: what is about to be written, relative path -> bytes.
         removed: paths of files that go.
         outside: files elsewhere that the run writes, too, such as the project file: what each holds and what it is about to hold.
+        amending: whether the run only adds to what the last one did, so that the way back is still the one before that.
 
     Returns:
         `outside`, with the record where anything is changed.
@@ -81,8 +84,35 @@ def save_previous(
     state: dict[str, Json] = {"schema": SCHEMA, "files": files}
     if elsewhere:
         state["outside"] = elsewhere
+    if amending:
+        amended = _amended(folder, files, before)
+        if amended is None:
+            return outside or {}
+        state = amended
     place = place_of(folder, STATE)
     return {**(outside or {}), place: (_bytes(place, OUTPUT), f"{json_written(state, indent=1, sort_keys=True)}\n".encode())}
+
+
+def _amended(folder: Path, files: Mapping[str, list[str | None]], before: Mapping[str, bytes | None]) -> dict[str, Json] | None:
+    """The record of the state before the last run, with what a further run changes; None without a record.
+
+    A file that a person has changed since the last run keeps its entry, so that `undo` still stops before the edit is lost.
+    """
+    try:
+        known = as_table(json_of(stored(folder, STATE)))
+        listed = as_table(known["files"])
+        merged = {**listed}
+        for name, entry in files.items():
+            if name not in listed:
+                merged[name] = entry
+                continue
+            old, made = _pair(listed[name])
+            data = before[name]
+            if made == (digest(data) if data is not None else None):
+                merged[name] = [old, entry[1]]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+    return {**known, "files": merged}
 
 
 def _packed(data: bytes | None) -> str | None:

@@ -1,13 +1,9 @@
 """EMF models as `Model`: root elements, the packages of their classes, extents in EMF's pre-order that are never out of date.
 
 An extent is built at the first question and thrown away when pyecore reports a change of containment anywhere in the model; so
-asking again costs nothing and no answer is old. Roots that belong to no resource get one of ours (`resource`), through which
+asking again costs nothing and no answer is old. Roots that belong to no resource get one of ours (`home`), through which
 pyecore's own notifications reach the model; nothing is shared between two models. XMI itself is read and written by `xmi_reader`
 and `xmi_writer`, ids are `fragments`'.
-
-Also: replaces pyecore's resource for the roots of a model, so that pyecore's notifications reach the model.
-
-pyecore asks `Home` for listeners and roots; `Watch` is a listener, also in pyecore's own resources. Neither knows the model.
 """
 
 from __future__ import annotations
@@ -15,16 +11,17 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Never, cast
+from typing import TYPE_CHECKING, Never, cast
 
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
-from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node
+from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node, refuse_unknown_attribute
 from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.elements.element_factory import as_data, new as new, refuse_unnamed, unlink
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
-from robosmi.model.elements.pyecore_internals import ListenedTo, own_resource_of, set_own_resource
-from robosmi.model.elements.structure import contents, root_of, walk
+from robosmi.model.elements.home import Home, Watch, home_of
+from robosmi.model.elements.pyecore_internals import own_resource_of
+from robosmi.model.elements.structure import contents, resource_of, root_of, walk
 
 if TYPE_CHECKING:
     from robosmi.model.ecore.xmi_document import Document
@@ -58,7 +55,7 @@ class EmfModel(TypedModel):
             metamodel = dict.fromkeys(_outermost(root.eClass.ePackage) for root in given)
         super().__init__(Metamodel.of(metamodel), name, path)
         self._watch = Watch()
-        self._home = Home(self._watch)
+        self._home = Home(self._watch, path)
         self._roots: dict[int, DynamicEObject] = {}
         self._all: list[DynamicEObject] = []
         self._extents: dict[tuple[type, bool], list[DynamicEObject]] = {}
@@ -126,6 +123,11 @@ class EmfModel(TypedModel):
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         model._open_files = open_files
         model._read_with = {other: document.roots for other, document in documents.items() if other != place}
+        for other, others in model._read_with.items():
+            home = Home(None, other)
+            for root in others:
+                if home_of(root) is None:
+                    home.add(root)
         if place in documents:
             model._schema_locations = documents[place].schema_locations
         if open_files is not None:
@@ -135,28 +137,41 @@ class EmfModel(TypedModel):
     def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
         """Write the model as XMI, whole or not at all.
 
-        References into files that were read with the model, or that its session has open, lead there again; so does
-        xsi:schemaLocation, where the file had one.
+        References into other files lead there again, seen from the new place: into files that were read with the model, and into
+        all models that have a path. So does xsi:schemaLocation, where the file had one. Other files are not written, even where
+        their elements have changed (`Session.save_all`).
 
         Args:
             path: the file; the one it was read from if None.
             others: models in the same folder that it refers to, file name -> root or roots; they are not written.
 
         Raises:
-            ModelError: there is no path, or a reference leads to none of these models.
+            ModelError: there is no path, or a reference leads to an element of a model without one, or of none.
             SourceError: the file cannot be written.
         """
         from robosmi.files.files import write_atomic
-        from robosmi.model.xmi.saved_places import metamodel_places, neighbouring_models
-        from robosmi.model.xmi.xmi_writer import to_xmi
 
         target = self._target(path)
-        roots = self.roots
-        content = roots[0] if len(roots) == 1 else roots
+        write_atomic(target, self.to_bytes(target, others))
+        if self.path is None:
+            self.path = target
+
+    def to_bytes(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> bytes:
+        """The model as it would be saved.
+
+        Raises:
+            ModelError: as for `save`.
+        """
+        from robosmi.model.xmi.saved_places import text_of
+
         read = self._read_with | (self._open_files.places() if self._open_files is not None else {})
-        models = {target.name: content, **neighbouring_models(target, roots, others or {}, read)}
-        places = metamodel_places(self.path or target, self._schema_locations, target)
-        write_atomic(target, to_xmi(models, [target.name], schema_locations=places)[target.name])
+        return text_of(self._target(path), self.roots, read, self.path, self._schema_locations, others or {})
+
+    def __setattr__(self, name: str, value: object) -> None:
+        refuse_unknown_attribute(self, name)
+        super().__setattr__(name, value)
+        if name == "path" and "_home" in self.__dict__:
+            self._home.place = self.path
 
     def touched(self) -> bool:
         """Whether an element of it was changed since this was asked last; of a new model, yes."""
@@ -181,9 +196,14 @@ class EmfModel(TypedModel):
         home, watch = self._home, self._watch
         for key, root in list(self._roots.items()):
             resource = own_resource_of(root)
-            if resource is home and root.eContainer() is None:
+            contained = root.eContainer() is not None
+            if resource is home and not contained:
                 continue
-            if resource is None or root.eContainer() is not None:
+            if resource is home:  # a root that another file contains: changes in it are told to the outermost element's file
+                resource = resource_of(root)
+                if resource is None:
+                    continue
+            if resource is None or (contained and home_of(root) is not home):
                 del self._roots[key]
                 watch.changed = True
             elif watch not in resource.listeners:
@@ -273,13 +293,16 @@ class EmfModel(TypedModel):
         Raises:
             ModelError: it is contained in another element.
         """
-        if isinstance(root.eContainer(), EObject):
+        home = home_of(root)
+        if home is not None and not home.is_model:  # of a file that was read with another one, and is a model from now on
+            home.remove(root)
+            self._home.add(root)
+        elif isinstance(root.eContainer(), EObject):
             raise ModelError(
                 f"{root!r} is contained in {root.eContainer()!r}", fix="add its root, or take it out of its container"
             )
-        if (resource := own_resource_of(root)) is None:
-            set_own_resource(root, self._home)
-            self._home.contents.append(root)
+        elif (resource := own_resource_of(root)) is None:
+            self._home.add(root)
         elif self._watch not in resource.listeners:
             resource.listeners.append(self._watch)
         self._roots[id(root)] = cast(DynamicEObject, root)
@@ -288,6 +311,8 @@ class EmfModel(TypedModel):
     def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicEObject:
         """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
 
+        With the value of a container reference it is put there at once (`M.Node(group=g)`).
+
         Raises:
             UnknownTypeError: there is no such type.
             ModelError: it is abstract, or has no such feature.
@@ -295,6 +320,8 @@ class EmfModel(TypedModel):
         wanted = self.type_named(kind) if isinstance(kind, str) else kind
         refuse_unnamed(wanted, values)
         made: DynamicEObject = new(wanted, **features)
+        if isinstance(made.eContainer(), EObject):
+            return made
         current = not self._watch.changed
         self.add(made)
         if current and not contents(made):  # the common case: extents grow by one at the end
@@ -354,63 +381,3 @@ def open_xmi(
 ) -> EmfModel:
     """Open an XMI file; see `EmfModel.load`."""
     return EmfModel.load(path, metamodel, name, lenient=lenient, open_files=open_files)
-
-
-class Watch:
-    """A listener that records changes: `touched` for any change, `changed` for a change of containment."""
-
-    __slots__ = ("changed", "touched")
-
-    def __init__(self) -> None:
-        self.changed = self.touched = True
-
-    def notifyChanged(self, notification: Any) -> None:
-        """Called by pyecore."""
-        self.touched = True
-        if not self.changed:
-            feature = notification.feature
-            self.changed = feature is None or (feature.is_reference and feature.containment)
-
-
-class Home(ListenedTo):
-    """The attributes that pyecore needs of a resource: listeners and roots."""
-
-    def __init__(self, watch: Watch) -> None:
-        super().__init__([watch])
-        self.contents = _Roots()
-
-    def remove(self, root: EObject) -> None:
-        """Called by pyecore when a root is put into a container."""
-        self.contents.remove(root)
-        set_own_resource(root, None)
-        for listener in self.listeners:
-            if isinstance(listener, Watch):
-                listener.changed = True
-
-
-class _Roots:
-    """The roots of a home, in order, with constant-time membership test."""
-
-    def __init__(self) -> None:
-        self._items: dict[int, Any] = {}
-
-    def __contains__(self, root: EObject) -> bool:
-        return id(root) in self._items
-
-    def __len__(self) -> int:
-        return len(self._items)
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(list(self._items.values()))
-
-    def index(self, root: EObject) -> int:
-        """The position of a root."""
-        return list(self._items).index(id(root))
-
-    def append(self, root: EObject) -> None:
-        """Add a root."""
-        self._items[id(root)] = root
-
-    def remove(self, root: EObject) -> None:
-        """Take a root out, if it is one."""
-        self._items.pop(id(root), None)

@@ -3,31 +3,26 @@
 A type `t_tag` is all elements of a tag, `Element` all elements. Of an element `a_x` and `s_x` are an attribute's text, `i_x`,
 `f_x`, `d_x`, `b_x` its value as a number or Boolean, `e_x` the first child element of a tag, `c_x` all of them, `x_x` what an
 attribute refers to (`bind`); also `text`, `tagName`, `namespaceURI`, `children`, `parentNode`, `line`. Tags and attributes go by
-their local names. Source: the PlainXML driver of Epsilon. Different on purpose: a number that is missing is None and a text that
-is no number an error, where Epsilon gives 0. Entities are never expanded; a file that declares some is refused.
-
-Also: texts of XML attributes as the values that the driver of plain XML gives for its prefixes (`i_x`, `b_x`), and back.
-
-Also: protects lxml from XML files that expand entities without limit.
-
-Entities can expand to any size, even inside attributes, where lxml expands them regardless of its options; so the beginning of
-a file is examined first. Nothing here interprets elements.
+their local names; `M["t_dc:creator"]` is those with that prefix. `children` and `c_x` are lists whose changes are changes of the
+document, `M.root` is its root. Source: the PlainXML driver of Epsilon. Different on purpose: a number that is missing is None
+and a text that is no number an error, where Epsilon gives 0; a document with elements that were put nowhere is not saved.
+Entities are never expanded; a file that declares some is refused.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, TypeAlias, cast
-from xml.parsers import expat
+from typing import TYPE_CHECKING, Self, TypeAlias, cast
 
 from robosmi import inputs
-from robosmi.diagnostics import Location
-from robosmi.errors import ModelError, SourceError, did_you_mean
+from robosmi.errors import ModelError, did_you_mean
 from robosmi.files.files import read_input
-from robosmi.model.elements.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type
+from robosmi.model.elements.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type, refuse_unknown_attribute
 from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
+from robosmi.model.xml_children import ChildList
+from robosmi.model.xml_texts import checked, typed, written
+from robosmi.model.xml_tree import read_tree, root_offset
 
 if TYPE_CHECKING:
     from lxml.etree import _Element
@@ -61,13 +56,16 @@ class XmlElement(ModelElement):
     parentNode = property(eContainer)
 
     @property
-    def children(self) -> list[XmlElement]:
-        """The child elements, in order."""
+    def children(self) -> ChildList[XmlElement]:
+        """The child elements, in order; changes of the list are changes of the document."""
+        return self._list(None)
+
+    def _children(self, tag: str | None = None) -> list[XmlElement]:
         wrap = self._model._wrap
-        return [wrap(child) for child in self._node if isinstance(child.tag, str)]
+        return [wrap(child) for child in self._node if isinstance(child.tag, str) and (tag is None or _is_called(child, tag))]
 
     def _contents(self) -> list[ModelElement]:
-        return list(self.children)
+        return list[ModelElement](self._children())
 
     def _features(self) -> list[str]:
         attributes = [f"a_{_local(name)}" for name in self._node.attrib]
@@ -80,16 +78,19 @@ class XmlElement(ModelElement):
         Raises:
             ModelError: it is no element of this model, or contains this one.
         """
-        self._model._move(child, self)
+        self._model._move(child, self, None, None)
         return child
+
+    def _list(self, tag: str | None) -> ChildList[XmlElement]:
+        move = self._model._move
+        return ChildList(self._children(tag), self, lambda child, before: move(child, self, before, tag), self._model._take_out)
 
     # Features
 
     @property
     def tagName(self) -> str:
         """The tag as the file writes it, with its prefix."""
-        prefix = self._node.prefix
-        return f"{prefix}:{_local(self._node.tag)}" if prefix else _local(self._node.tag)
+        return _name_of(self._node)
 
     @property
     def namespaceURI(self) -> str | None:
@@ -114,9 +115,9 @@ class XmlElement(ModelElement):
                 value = self.text
             return typed(kind, value, self, name)
         if rest and kind == "c":
-            return [child for child in self.children if _local(child._node.tag) == rest]
+            return self._list(rest)
         if rest and kind == "e":
-            return next((self._model._wrap(c) for c in self._node if isinstance(c.tag, str) and _local(c.tag) == rest), None)
+            return next(iter(self._children(rest)), None)
         if rest and kind == "x":
             return self._model._referred(self, rest)
         raise self._unknown(name)
@@ -135,8 +136,12 @@ class XmlElement(ModelElement):
                 if place in self._node.attrib:
                     del self._node.attrib[place]
             else:
-                self._node.set(place, checked(written(kind, value, self, name), self, name))
-        elif name in _PLAIN or (rest and kind in "cex"):
+                self._model._set(self._node, place, checked(written(kind, value, self, name), self, name))
+        elif isinstance(value, ChildList) and value.belongs_to(self):  # `children += [...]`, which has changed them
+            return
+        elif rest and kind == "x":
+            self._model._refer(self, rest, value)
+        elif name in _PLAIN or (rest and kind in "ce"):
             raise FeatureValueError(f"{self!r}.{name} cannot be set", fix="use appendChild, delete, or set the attribute")
         else:
             raise self._unknown(name)
@@ -148,9 +153,14 @@ class XmlElement(ModelElement):
         return UnknownFeatureError(f"{self!r} has no feature '{name}'{hint}", fix=f"use one of: {', '.join(known)}")
 
     def _place(self, name: str) -> str:
-        """The full name of the attribute with that local name; the name itself if there is none."""
+        """The full name of the attribute with that local name, or name with a prefix; the name itself if there is none."""
         attributes = self._node.attrib
-        return name if name in attributes else next((str(n) for n in attributes if _local(n) == name), name)
+        if name in attributes:
+            return name
+        prefix, colon, local = name.rpartition(":")
+        if colon and (uri := self._model._namespace(prefix, self._node)) is not None:
+            return f"{{{uri}}}{local}"
+        return next((str(n) for n in attributes if _local(n) == name), name)
 
     def _attribute(self, name: str) -> str | None:
         found = self._node.get(self._place(name))
@@ -165,15 +175,21 @@ class XmlModel(Model):
     """An XML document.
 
     Args:
-        root: lxml's root element.
+        root: lxml's root element; None for a document that has none yet.
         name: what `M!t_book` calls it.
         path: the file it was read from.
     """
 
-    def __init__(self, root: _Element, name: str = "M", path: Path | None = None) -> None:
+    def __init__(self, root: _Element | None, name: str = "M", path: Path | None = None) -> None:
         super().__init__(name, path)
         self._root = root
+        self._encoding = "UTF-8" if root is None else root.getroottree().docinfo.encoding or "UTF-8"
+        self._before = [] if root is None else list(root.itersiblings(preceding=True))[::-1]
+        self._behind = [] if root is None else list(root.itersiblings())
+        self._namespaces: dict[str | None, str] = {}
+        self._taken_out: list[_Element] = []
         self._head: bytes | None = None
+        self._is_new = root is None  # what was read keeps its own layout
         self._created: list[_Element] = []
         self._wrapped: dict[_Element, XmlElement] = {}
         self._kinds: dict[str, type[XmlElement]] = {}
@@ -200,8 +216,47 @@ class XmlModel(Model):
         model._head = data[:start] if start >= 0 else None
         return model
 
+    @classmethod
+    def new(cls, path: str | Path | None = None, name: str | None = None, namespaces: Mapping[str, str] | None = None) -> Self:
+        """A document without elements: `M.root = M.t_feed()` gives it its first.
+
+        Args:
+            path: where it will be saved.
+            name: what `M!t_book` calls it; the file's name without its ending if None.
+            namespaces: prefix -> namespace, "" for that of tags without prefix; for `M["t_dc:creator"]()`.
+        """
+        file = None if path is None else Path(path)
+        model = cls(None, name or (file.stem if file is not None else "M"), file)
+        model._namespaces = {prefix or None: uri for prefix, uri in (namespaces or {}).items()}
+        return model
+
+    @property
+    def root(self) -> XmlElement | None:
+        """The root element; another may be put in its place, which takes it out of the document (Epsilon's `M.root`)."""
+        return None if self._root is None else self._wrap(self._root)
+
+    @root.setter
+    def root(self, element: XmlElement) -> None:
+        """Put another element in the place of the root."""
+        node = self._node_of(element)
+        if node is self._root:
+            return
+        self._lift(node)
+        if self._root is not None:
+            self._taken_out.append(self._root)
+        self._root = node
+        self._change()
+
+    def __setattr__(self, name: str, value: object) -> None:
+        refuse_unknown_attribute(self, name)
+        super().__setattr__(name, value)
+
     def save(self, path: str | Path | None = None) -> None:
-        """Write the current document, without elements that have no parent; see `Model.save`."""
+        """Write the current document; see `Model.save`.
+
+        Raises:
+            ModelError: it has no root, or elements were created and put nowhere.
+        """
         from robosmi.files.files import write_atomic
 
         write_atomic(self._target(path), self.to_bytes())
@@ -210,19 +265,28 @@ class XmlModel(Model):
         """The document as it would be saved."""
         from lxml import etree
 
-        encoding = self._root.getroottree().docinfo.encoding or "UTF-8"
-        head = f'<?xml version="1.0" encoding="{encoding}"?>\n' if self._head is None else self._head.decode(encoding)
-        nodes = [self._root, *self._root.itersiblings()]
-        parts = [str(etree.tostring(node, encoding="unicode", with_tail=False)) for node in nodes]
-        return "".join([head, "\n".join(parts), "\n"]).encode(encoding, "xmlcharrefreplace")
+        if self._root is None:
+            raise ModelError(f"the document {self.name} has no root", fix=f"make one: {self.name}.root = {self.name}.t_tag()")
+        if lost := self._loose():
+            shown = ", ".join(repr(self._wrap(node)) for node in lost[:3])
+            raise ModelError(
+                f"{len(lost)} element(s) of {self.name} were created and put nowhere, so that they would be lost: {shown}",
+                fix=f"put them somewhere (appendChild, children.append), {self.name}.root = one of them, or delete them",
+            )
+        head = f'<?xml version="1.0" encoding="{self._encoding}"?>\n' if self._head is None else self._head.decode(self._encoding)
+        nodes = [*(self._before if self._head is None else ()), self._root, *self._behind]
+        parts = [str(etree.tostring(node, encoding="unicode", with_tail=False, pretty_print=self._is_new)) for node in nodes]
+        return "".join([head, "\n".join(part.rstrip("\n") for part in parts), "\n"]).encode(self._encoding, "xmlcharrefreplace")
 
     # Types
 
     def types(self) -> Iterator[tuple[str, Type]]:
         """`Element`, and a type for each tag that occurs."""
         yield "Element", self._base
-        for tag in dict.fromkeys(_local(element._node.tag) for element in self._everything()):
-            yield f"t_{tag}", self._kind(tag)
+        for name in dict.fromkeys(_name_of(element._node) for element in self._everything()):
+            yield f"t_{name}", self._kind(name)
+            if ":" in name:
+                yield f"t_{name.rpartition(':')[2]}", self._kind(name.rpartition(":")[2])
 
     def find_type(self, name: str) -> type[XmlElement] | None:
         """`Element`, or any `t_tag`: without a metamodel a tag need not occur."""
@@ -234,7 +298,8 @@ class XmlModel(Model):
         found = self._kinds.get(tag)
         if found is None:
             described = {"__slots__": (), "__doc__": f"An element <{tag}>."}
-            found = self._kinds[tag] = type(f"t_{tag}", (self._base,), described)
+            base = self._kind(tag.rpartition(":")[2]) if ":" in tag else self._base  # the local name finds every prefix
+            found = self._kinds[tag] = type(f"t_{tag}", (base,), described)
         return found
 
     # Extents
@@ -242,7 +307,7 @@ class XmlModel(Model):
     def _wrap(self, node: _Element) -> XmlElement:
         found = self._wrapped.get(node)
         if found is None:
-            found = self._wrapped[node] = self._kind(_local(node.tag))(self, node)
+            found = self._wrapped[node] = self._kind(_name_of(node))(self, node)
         return found
 
     def _change(self) -> None:
@@ -251,13 +316,21 @@ class XmlModel(Model):
     def _everything(self) -> list[XmlElement]:
         if self._all is None:
             wrap = self._wrap
-            tops = [*(node for node in reversed(self._created) if node.getparent() is None), self._root]
+            tops = [*reversed(self._loose()), *([] if self._root is None else [self._root])]
             self._all = []
             while tops:  # lxml's own iterator takes quadratic time in depth
                 node = tops.pop()
                 self._all.append(wrap(node))
                 tops.extend(child for child in reversed(node) if isinstance(child.tag, str))
         return self._all
+
+    def _loose(self) -> list[_Element]:
+        """What was created and put nowhere yet."""
+        return [node for node in self._created if node.getparent() is None]
+
+    def all_of_type(self, kind: Kind) -> Sequence[Node]:
+        """As `all_of_kind`: without a metamodel there are no subtypes, and a prefix makes no type of its own (Epsilon's rule)."""
+        return self.all_of_kind(kind)
 
     def all_contents(self) -> Iterator[XmlElement]:
         """All elements in document order, then those that were created and put nowhere yet."""
@@ -270,7 +343,7 @@ class XmlModel(Model):
         number, slash, path = identity.partition("/")
         if not slash or (number and not number.isdecimal()):
             return None
-        created = [node for node in self._created if node.getparent() is None]
+        created = self._loose()
         top = self._root if not number else created[int(number)] if int(number) < len(created) else None
         if top is None:
             return None
@@ -285,7 +358,7 @@ class XmlModel(Model):
         node = self._node_of(element)
         top = _top(node)
         path = top.getroottree().getelementpath(node)
-        created = [node for node in self._created if node.getparent() is None]
+        created = self._loose()
         number = "" if top is self._root else str(created.index(top))
         return f"{number}/{'' if path == '.' else path}"
 
@@ -296,9 +369,14 @@ class XmlModel(Model):
         top = _top(element._node)
         return top is self._root or any(top is node for node in self._created)
 
+    def _has(self, element: XmlElement) -> bool:
+        """Whether the element is in this document, or was and may be put into it again."""
+        return self.owns(element) or (element._model is self and any(_top(element._node) is one for one in self._taken_out))
+
     def _node_of(self, element: Node) -> _Element:
         """lxml's own for an element of this document; any other is refused."""
-        self._check_owned(element)
+        if not isinstance(element, XmlElement) or not self._has(element):
+            self._check_owned(element)
         assert isinstance(element, XmlElement)
         return element._node
 
@@ -316,14 +394,29 @@ class XmlModel(Model):
 
     def _referred(self, element: XmlElement, attribute: str) -> XmlElement | list[XmlElement] | None:
         for tag, name, target, by, many in self._bindings:
-            if name == attribute and tag == _local(element._node.tag):
+            if name == attribute and _is_called(element._node, tag):
                 value = element._attribute(attribute) or ""
                 ids = [part.strip() for part in value.split(",")] if many else [value.strip()]
                 found = [x for x in self.all_of_kind(self._kind(target)) if isinstance(x, XmlElement) and x._attribute(by) in ids]
                 return found if many else (found[0] if found else None)
-        raise UnknownFeatureError(
-            f"{element!r} has no reference 'x_{attribute}'", fix="say with bind() what the attribute refers to"
-        )
+        raise _no_reference(element, attribute)
+
+    def _refer(self, element: XmlElement, attribute: str, value: FeatureValue) -> None:
+        """Write the identities of the elements that an attribute refers to."""
+        for tag, name, target, by, many in self._bindings:
+            if name != attribute or not _is_called(element._node, tag):
+                continue
+            given = [] if value is None else list(value) if many and isinstance(value, Iterable) else [value]
+            ids = []
+            for one in given:
+                own = one._attribute(by) if isinstance(one, XmlElement) and _is_called(one._node, target) else None
+                if not own:
+                    what = f"{element!r}.x_{attribute} does not take {one!r}: it takes <{target}> with '{by}'"
+                    raise FeatureValueError(what, fix="give what bind() says, with an identity")
+                ids.append(own)
+            setattr(element, f"a_{attribute}", ", ".join(ids) if ids else None)
+            return
+        raise _no_reference(element, attribute)
 
     # Change
 
@@ -335,10 +428,20 @@ class XmlModel(Model):
         tag = next((t for t, cls in self._kinds.items() if cls is wanted), None)
         if tag is None:
             raise ModelError("an Element needs a tag", fix='create a type such as "t_book"')
-        namespace = str(self._root.tag).rpartition("}")[0]
-        prefixes = cast("dict[str, str]", self._root.nsmap)  # with None for the namespace that needs no prefix
+        spaces = self._namespaces if self._root is None else self._root.nsmap
+        prefix, colon, local = tag.rpartition(":")
+        if colon:
+            namespace = self._namespace(prefix, self._root)
+            if namespace is None:
+                fix = f'setattr(M.root, "a_xmlns:{prefix}", "URI"), or XmlModel.new(namespaces={{"{prefix}": "URI"}})'
+                raise ModelError(f"no namespace has the prefix '{prefix}' of the tag '{tag}'", fix=f"declare it: {fix}")
+        else:
+            own = self._namespaces.get(None, "") if self._root is None else str(self._root.tag).rpartition("}")[0][1:]
+            namespace = own or None
         try:
-            node = etree.Element(f"{namespace}}}{tag}" if namespace else tag, nsmap=prefixes if namespace else None)
+            node = etree.Element(
+                f"{{{namespace}}}{local}" if namespace else local, nsmap=cast("Mapping[str, str]", spaces) if namespace else None
+            )
         except ValueError as error:
             raise ModelError(f"'{tag}' is no tag: {error}", fix="use letters, digits, '-', '.' and '_'") from error
         made = self._wrap(node)
@@ -352,24 +455,100 @@ class XmlModel(Model):
         """Take an element with all it contains out of the document; the text behind it stays. See `Model.delete`."""
         node = self._node_of(element)
         if node is self._root:
-            raise ModelError("the root of a document cannot be deleted", fix="delete what it contains")
+            raise ModelError("the root of a document cannot be deleted", fix="delete what it contains, or give it another root")
+        self._lift(node)
+
+    def _lift(self, node: _Element) -> None:
+        """Take a node out of where it is."""
         _detach(node)
         self._created = [one for one in self._created if one is not node]
+        self._taken_out = [one for one in self._taken_out if one is not node]
         self._change()
 
-    def _move(self, child: XmlElement, parent: XmlElement) -> None:
-        self._check_owned(child)
-        self._check_owned(parent)
+    def _take_out(self, element: XmlElement) -> None:
+        """Take an element out of where it is; it may be put somewhere else later."""
+        self._lift(element._node)
+        self._taken_out.append(element._node)
+
+    def _move(self, child: Node, parent: XmlElement, before: XmlElement | None, tag: str | None) -> None:
+        """Make an element the child of another, before one of its children or as the last; `tag` is what it must be called."""
+        if not isinstance(child, XmlElement):
+            raise FeatureValueError(f"{parent!r} does not take {child!r}: it takes elements", fix="make one: M.t_tag()")
+        if tag is not None and not _is_called(child._node, tag):
+            raise FeatureValueError(f"{parent!r}.c_{tag} does not take {child!r}", fix="use children, or c_ with its tag")
+        for each in (child, parent):
+            self._node_of(each)
         if child._node is self._root or any(child._node is one for one in (parent._node, *parent._node.iterancestors())):
             raise ModelError(f"{child!r} contains {parent!r} and cannot be put into it", fix="put it somewhere else")
-        _detach(child._node)
-        parent._node.append(child._node)
-        self._created = [node for node in self._created if node is not child._node]
+        self._lift(child._node)
+        if before is None:
+            parent._node.append(child._node)
+        else:
+            before._node.addprevious(child._node)
         self._change()
+
+    def _namespace(self, prefix: str, node: _Element | None) -> str | None:
+        """The namespace of a prefix at a node, in the document, or as the document was made; or None."""
+        spaces = [each.nsmap for each in (node, self._root) if each is not None]
+        return next((str(each[prefix]) for each in (*spaces, self._namespaces) if prefix in each), None)
+
+    def _set(self, node: _Element, place: str, text: str) -> None:
+        """Set an attribute; `xmlns` and `xmlns:p` declare namespaces, as in a document of DOM."""
+        if place.startswith("xmlns:"):
+            self._declare(node, place[len("xmlns:") :], text)
+            return
+        if place == "xmlns" and None in node.nsmap:
+            raise ModelError(f"{self._wrap(node)!r} has a namespace, which cannot be changed", fix="make a new element")
+        try:
+            node.set(place, text)
+        except ValueError as error:
+            what = f"'{place}' is no name of an attribute: {error}"
+            raise FeatureValueError(what, fix='declare its prefix first: setattr(M.root, "a_xmlns:PREFIX", "URI")') from error
+
+    def _declare(self, node: _Element, prefix: str, uri: str) -> None:
+        """Declare a namespace at an element; lxml's elements have theirs from the beginning, so it gets a new one."""
+        from lxml import etree
+
+        if node.nsmap.get(prefix) == uri:
+            return
+        try:
+            made = etree.Element(node.tag, nsmap=cast("Mapping[str, str]", {**node.nsmap, prefix: uri}))
+        except ValueError as error:
+            raise FeatureValueError(f"'{prefix}' cannot stand for '{uri}': {error}", fix="use letters for the prefix") from error
+        made.attrib.update(node.attrib)
+        made.text, made.tail = node.text, node.tail
+        made.extend(list(node))
+        parent = node.getparent()
+        if parent is not None:
+            parent.replace(node, made)
+        wrapper = self._wrap(node)
+        del self._wrapped[node]
+        self._wrapped[made] = wrapper
+        object.__setattr__(wrapper, "_node", made)
+        self._created = [made if one is node else one for one in self._created]
+        self._taken_out = [made if one is node else one for one in self._taken_out]
+        if node is self._root:
+            self._root = made
+
+
+def _no_reference(element: XmlElement, attribute: str) -> UnknownFeatureError:
+    return UnknownFeatureError(
+        f"{element!r} has no reference 'x_{attribute}'", fix="say with bind() what the attribute refers to"
+    )
 
 
 def _local(name: str | bytes) -> str:
     return str(name).rpartition("}")[2]
+
+
+def _name_of(node: _Element) -> str:
+    """The tag as the file writes it, with its prefix."""
+    return f"{node.prefix}:{_local(node.tag)}" if node.prefix else _local(node.tag)
+
+
+def _is_called(node: _Element, tag: str) -> bool:
+    """Whether an element has that tag, given with its prefix or without."""
+    return _local(node.tag) == tag or (":" in tag and _name_of(node) == tag)
 
 
 def _top(node: _Element) -> _Element:
@@ -393,106 +572,3 @@ def _detach(node: _Element) -> None:
 def open_xml(path: Path, name: str | None = None) -> XmlModel:
     """Open an XML file; see `XmlModel.load`."""
     return XmlModel.load(path, name)
-
-
-_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-
-
-def typed(kind: str, value: str | None, element: ModelElement, name: str) -> bool | int | float | str | None:
-    """The value of an attribute as that prefix asks for it: text, Boolean, whole number or number."""
-    if kind in "as":
-        return value or ""
-    if kind == "b":
-        return (value or "").strip().lower() == "true"
-    if value is None:
-        return None
-    try:
-        return int(value) if kind == "i" else float(value)
-    except ValueError:
-        raise FeatureValueError(
-            f"{element!r}.{name}: '{value}' is no {'whole ' if kind == 'i' else ''}number", fix="use a_..."
-        ) from None
-
-
-def written(kind: str, value: FeatureValue, element: ModelElement, name: str) -> str:
-    """The text of a value that an attribute is given by that prefix; of another kind it is refused."""
-    wanted = {"b": (bool,), "i": (int,), "f": (int, float), "d": (int, float)}.get(kind)
-    if wanted is not None and (not isinstance(value, wanted) or (kind != "b" and isinstance(value, bool))):
-        raise FeatureValueError(f"{element!r}.{name} does not take {value!r}", fix="give a value of its kind, or use a_...")
-    return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def checked(text: str, element: ModelElement, name: str) -> str:
-    """The text itself, if XML can hold it."""
-    if bad := _FORBIDDEN.search(text):
-        raise FeatureValueError(f"{element!r}.{name}: XML cannot hold U+{ord(bad.group()):04X}", fix="remove the character")
-    return text
-
-
-_TOO_DEEP = re.compile(r"Excessive depth in document: (\d+)")
-"""libxml2's message about a file that is nested deeper than it reads."""
-
-
-class _Found(Exception):
-    """Raised when the root element has been reached."""
-
-
-def root_offset(data: bytes, place: str) -> int:
-    """Where the root element begins in a file that declares no entities, so that a parser may go without its limits.
-
-    Args:
-        data: the file.
-        place: its path, for the message.
-
-    Returns:
-        The offset; -1 if the head cannot be read here, because of its encoding or an error: let a parser with limits look at it.
-
-    Raises:
-        SourceError: it has a DOCTYPE with declarations of its own.
-    """
-    parser = expat.ParserCreate()
-
-    def doctype(name: str, system: str | None, public: str | None, declares: bool) -> None:
-        if declares:
-            where = Location(place, parser.CurrentLineNumber)
-            raise SourceError("a file that declares entities is refused", location=where, fix="remove the DOCTYPE")
-
-    def start(name: str, attributes: Any) -> None:
-        raise _Found(parser.CurrentByteIndex)
-
-    parser.StartDoctypeDeclHandler = doctype
-    parser.StartElementHandler = start
-    try:
-        parser.Parse(data, True)
-    except _Found as found:
-        return int(found.args[0])
-    except (expat.ExpatError, LookupError, ValueError):  # the real parser says what is wrong, or knows the encoding
-        pass
-    return -1
-
-
-def read_tree(data: bytes, place: str, deep: bool) -> Any:
-    """The root of lxml's tree for a file.
-
-    Args:
-        data: the file.
-        place: its path, for the message.
-        deep: whether it is known to declare no entity, so that it may be of any size, and 2,048 levels deep instead of 256.
-
-    Raises:
-        SourceError: it is not well-formed, or nested too deeply.
-    """
-    from lxml import etree
-
-    parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=deep, strip_cdata=False)
-    try:
-        return etree.fromstring(data, parser)
-    except etree.XMLSyntaxError as error:
-        where = Location(place, error.lineno or None)
-        if match := _TOO_DEEP.search(error.msg or ""):
-            raise SourceError(
-                f"elements are nested more than {match[1]} levels deep",
-                location=where,
-                fix="nest the elements of the file less deeply",
-            ) from error
-        raise SourceError(f"not well-formed XML: {error.msg}", location=where, fix="repair the file") from error

@@ -19,12 +19,12 @@ from typing import TypeVar
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
-from robosmi.files.files import read_input
+from robosmi.files.files import read_input, write_atomic
 from robosmi.model.ecore.ecore_classes import PackageMaker
 from robosmi.model.ecore.ecore_loader import MetamodelReader
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
-from robosmi.model.emf import open_xmi
+from robosmi.model.emf import EmfModel, open_xmi
 from robosmi.model.opening import driver_of
 from robosmi.model.xmi.open_files import OpenFiles
 
@@ -45,6 +45,7 @@ class Session:
         self._maker = PackageMaker()
         self._digests: dict[Path, str] = {}
         self._files = OpenFiles()
+        self._models: list[Model] = []
 
     def __repr__(self) -> str:
         names = ", ".join(path.name for path in self._digests) or "no metamodels yet"
@@ -97,7 +98,31 @@ class Session:
         opened = driver_of(Path(path), driver)
         if opened is open_xmi:
             more["open_files"] = self._files
-        return opened(Path(path), name, **options, **more)
+        model = opened(Path(path), name, **options, **more)
+        self._models.append(model)
+        return model
+
+    def save_all(self) -> list[Path]:
+        """Write all models of this session, each into its file: the open ones, and the files that were read with them.
+
+        All are made before the first is written, so that an error leaves them as they are; a file that has its bytes already is
+        left untouched. Of a file that was opened twice the last model is written.
+
+        Returns:
+            The files that were written.
+
+        Raises:
+            ModelError, SourceError: as `EmfModel.save`.
+        """
+        texts = self._files.texts()
+        others = [model for model in self._models if not isinstance(model, EmfModel) and not model.read_only]
+        before = {path: inputs.read_bytes(path, inputs.MODEL) for path in texts if path.is_file()}
+        changed = {path: text for path, text in texts.items() if before.get(path) != text}
+        for path, text in changed.items():
+            write_atomic(path, text)
+        for model in others:
+            model.save()
+        return [*changed, *(model.path for model in others if model.path is not None)]
 
     def changed(self) -> Path | None:
         """An .ecore file that is no longer what this session read, or None."""

@@ -2,7 +2,7 @@
 
 `Q` and its kinds `Bag`, `Set`, `OrderedSet` with EOL's operations; `Map`, `Tuple`; extents, model views and types; `get` and
 `call` for properties and operations by name; `@operation`, `ext` and `Run`. Operators and the operations on numbers, texts and
-anything are functions in the modules of these names. Nothing here knows a metamodel. docs/reference/eol.md sets EOL beside it.
+anything are functions in the modules of these names. Nothing here knows a metamodel. docs/reference/eol.md compares it with EOL.
 """
 
 from __future__ import annotations

@@ -172,7 +172,7 @@ _TAKES: dict[str, Callable[[Any], bool]] = {
 
 
 def format_(value: Answer, pattern: str) -> str:
-    """The value written by a pattern such as `%03d`, by the rules of Java's formatter: `%d` takes no Real, `%f` no Integer.
+    """The value written by a pattern such as `%03d`, by the rules of Java's formatter: `%d` rejects a Real, `%f` an Integer.
 
     Raises:
         OperandError: the pattern does not take the value, or asks for a second one.

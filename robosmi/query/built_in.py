@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 def _of_model(kind: Any) -> tuple[Model, Any]:
-    """The model that a type's instances are asked for, and the type as it knows it."""
+    """The model with a type's instances, and the model's own form of the type."""
     if isinstance(kind, TypeHandle):
         return kind.model, kind.kind
     for model in current_run().models:

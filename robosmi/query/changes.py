@@ -21,7 +21,7 @@ def several(values: Any) -> Iterable[Any]:
         OperandError: it is no collection.
     """
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
-        raise OperandError(f"a collection is wanted, not {as_string(values)}")
+        raise OperandError(f"a collection is needed, not {as_string(values)}")
     return values
 
 
@@ -44,7 +44,7 @@ class Changeable(Generic[T]):
 
     def add_all(self, values: Iterable[T]) -> bool:
         """Add items to this collection itself; whether that changed it."""
-        added = [self.add(v) for v in list(several(values))]  # all of them, not as many as the first success takes
+        added = [self.add(v) for v in list(several(values))]  # all of them, not only those up to the first success
         return any(added)
 
     def remove(self, value: Answer) -> bool:
@@ -72,9 +72,9 @@ class Changeable(Generic[T]):
     def remove_all(self, values: Iterable[Any]) -> bool:
         """Remove the values, wherever they occur, from this collection itself; whether that changed it."""
         unwanted = {key(v) for v in several(values)}
-        kept = [x for x in self._items if key(x) not in unwanted]
-        changed = len(kept) < len(self._items)
-        self._items[:] = kept
+        remaining = [x for x in self._items if key(x) not in unwanted]
+        changed = len(remaining) < len(self._items)
+        self._items[:] = remaining
         return changed
 
     def clear(self) -> None:

@@ -8,7 +8,7 @@ Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured again
 
 Also: what collections say of the numbers in them: sum, product, least and greatest. Other items are passed over.
 
-Integers have 32 bits, and 64 as soon as a Long takes part, so a sum wraps around as the engine's does.
+Integers have 32 bits, and 64 as soon as a Long is among them, so a sum wraps around as the engine's does.
 Source: IterableOperationContributor and NumberUtil of Epsilon.
 """
 
@@ -75,7 +75,7 @@ def _number(value: Answer) -> Any:
 
 
 def _fitting(value: Any, items: Iterable[Any]) -> Any:
-    """An exact result as the engine holds it: Integers have 32 bits, and 64 as soon as a Long takes part."""
+    """An exact result in the engine's range: Integers have 32 bits, and 64 as soon as a Long is among them."""
     if isinstance(value, float) or (
         INT_MIN <= value <= INT_MAX and value.__class__ is int and Long not in {x.__class__ for x in items}
     ):
@@ -155,7 +155,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
 
         Args:
             name: of the property.
-            default: taken for an item that is None (EOL `?.` with `?:`); without it None is an error.
+            default: the result for an item that is None (EOL `?.` with `?:`); without it None is an error.
 
         Raises:
             UndefinedError: an item is None.
@@ -219,7 +219,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         return Q._of(self._items[::-1])
 
     def collect(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[R]:
-        """The body's value for every item: a Sequence, of a Set or Bag a Bag. Not flattened, and None is kept, as in EOL."""
+        """The body's value for every item: a Sequence, of a Set or Bag a Bag. Not flattened, and it keeps None, as in EOL."""
         return self._mapped([body(x) for x in self._source(kind)])
 
     def sort_by(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[T]:
@@ -294,7 +294,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         return list(self._items)
 
     def lazy(self) -> Lazy[T]:
-        """A view whose operations look at an item only when it is asked for; `Lazy` says what that changes."""
+        """A view whose operations evaluate an item only on demand; `Lazy` describes the differences."""
         return Lazy(self)
 
 
@@ -387,10 +387,10 @@ def map_of(value: Any) -> Map[Any, Any]:
 
 
 class Lazy(Generic[T]):
-    """A view of an iterable whose operations look at an item only when it is asked for; every loop asks the source again.
+    """A view of an iterable whose operations evaluate an item only on demand; every loop reads the source again.
 
     EOL's operations are eager: `select(f).first()` tests every item. A lazy chain gives the same answer as long as its functions
-    change nothing and fail for no item that is not reached; only the author can know that, so it is asked for: `q.lazy()`, or
+    change nothing and fail for no item that is not reached; only the author can know that, so it is explicit: `q.lazy()`, or
     `Lazy(all_contents(root))` for elements that are never all made. Ends with an answer, with a loop, or with `eager()`.
 
     Args:
@@ -425,17 +425,17 @@ class Lazy(Generic[T]):
 
     def of_kind(self, kind: AnyKind) -> Lazy[T]:
         """The items of the type or a subtype."""
-        wanted = resolve(kind)
-        if isinstance(wanted, EolType):
-            return self.select(wanted.is_kind)
-        return self.select(lambda x: isinstance(x, wanted))
+        resolved = resolve(kind)
+        if isinstance(resolved, EolType):
+            return self.select(resolved.is_kind)
+        return self.select(lambda x: isinstance(x, resolved))
 
     def of_type(self, kind: AnyKind) -> Lazy[T]:
         """The items of exactly the type."""
-        wanted = resolve(kind)
-        if isinstance(wanted, EolType):
-            return self.select(wanted.is_type)
-        return self.select(lambda x: x.__class__ is wanted)
+        resolved = resolve(kind)
+        if isinstance(resolved, EolType):
+            return self.select(resolved.is_type)
+        return self.select(lambda x: x.__class__ is resolved)
 
     def first(self) -> T | None:
         """The first item, or None."""

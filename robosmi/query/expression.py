@@ -1,6 +1,6 @@
 """Queries given as text: a Python expression over models' types and this package's functions, and nothing else of Python.
 
-`evaluate` takes expressions only, with lambdas and comprehensions. Names are the types, the models and `NAMES`; there are no
+`evaluate` accepts expressions only, with lambdas and comprehensions. Names are the types, the models and `NAMES`; there are no
 builtins. No attribute starts with an underscore, and attributes are read from values of queries alone: elements, collections,
 texts, numbers, models (to look, not to change or store). No type is called. So no frame, module, class or file
 is within reach; what may be read and called is `reachable`'s business, and how a value is shown is `answers`'.
@@ -133,7 +133,7 @@ class Caller:
         """
         if isinstance(function, collections.Q):
             raise UsageError(
-                "a collection cannot be called: the name before the bracket is no operation of collections, so it stands for the "
+                "a collection cannot be called: the name before the bracket is no operation of collections, so it means the "
                 "values of a property",
                 fix="write an operation of EOL by its name in Python, as not_empty() for notEmpty()",
             )
@@ -371,8 +371,8 @@ def _checked(expression: str) -> ast.Expression:
         for node in ast.walk(tree):
             _check(node)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        said = error.msg if isinstance(error, SyntaxError) else str(error) or "it is nested too deep"
-        raise UsageError(f"this is no expression: {said}", fix="write one as Book.all.select(lambda b: b.year > 2000)") from error
+        reason = error.msg if isinstance(error, SyntaxError) else str(error) or "it is nested too deep"
+        raise UsageError(f"not an expression: {reason}", fix="write one as Book.all.select(lambda b: b.year > 2000)") from error
     return tree
 
 

@@ -60,8 +60,8 @@ def all_of_type(root: Node | Model, kind: Kind) -> Q[Any]:
 
 
 def _extent(root: Node | Model, kind: Kind, exact: bool) -> Q[Any]:
-    if isinstance(root, Model) and isinstance(wanted := kind if isinstance(kind, str) else resolve(kind), (str, type)):
-        return Q._of(list(root.all_of_type(wanted) if exact else root.all_of_kind(wanted)))
+    if isinstance(root, Model) and isinstance(requested := kind if isinstance(kind, str) else resolve(kind), (str, type)):
+        return Q._of(list(root.all_of_type(requested) if exact else root.all_of_kind(requested)))
     return Q._of(matching(root.all_contents() if isinstance(root, Model) else walk(root), kind, exact=exact))
 
 

@@ -7,8 +7,8 @@ Source: Kolovos et al., The Epsilon Object Language, section 3.2.2; measured aga
 
 Also: the order that `sort_by` goes by.
 
-Numbers are compared by value, texts with texts, Booleans with Booleans; as soon as a None, an element or a collection takes part
-in a comparison, both sides are compared as texts. Source: SortByOperation of Epsilon. Nothing here is called by users.
+Numbers are compared by value, texts with texts, Booleans with Booleans; with a None, an element or a collection in
+a comparison, both sides are compared as texts. Source: SortByOperation of Epsilon. Nothing here is called by users.
 """
 
 from __future__ import annotations
@@ -155,11 +155,11 @@ class FirstOrder(Generic[T]):
         return _matches(self._source(kind), condition, _integer(n), False) <= n
 
     def count(self, condition: Any, kind: AnyKind | None = None) -> int:
-        """How many items fulfil a condition, or are the value that is given; a function is taken as a condition."""
+        """How many items fulfil a condition, or equal the given value; a function is a condition."""
         if callable(condition) and not hasattr(condition, "eClass"):
             return sum(1 for x in self._source(kind) if condition(x))
-        wanted = key(condition)
-        return sum(1 for x in self._items if key(x) == wanted)
+        searched = key(condition)
+        return sum(1 for x in self._items if key(x) == searched)
 
 
 def _integer(n: int) -> int:

@@ -112,7 +112,7 @@ class Items(Generic[T]):
 
     def random(self) -> T | None:
         """Any item, or None when empty."""
-        import random  # slow to load, and wanted only here
+        import random  # slow to load, and needed only here
 
         return random.choice(self._items) if self._items else None
 
@@ -126,13 +126,13 @@ class Items(Generic[T]):
 
     def excluding(self, value: R) -> Self:
         """This without the value, wherever it occurs."""
-        wanted = key(value)
-        return self._same([x for x in self._items if key(x) != wanted])
+        excluded = key(value)
+        return self._same([x for x in self._items if key(x) != excluded])
 
     def excluding_all(self, values: Iterable[R]) -> Self:
         """This without the values, wherever they occur (EOL also `-`)."""
-        wanted = {key(v) for v in several(values)}
-        return self._same([x for x in self._items if key(x) not in wanted])
+        excluded = {key(v) for v in several(values)}
+        return self._same([x for x in self._items if key(x) not in excluded])
 
     def clone(self) -> Self:
         """A copy; the items are the same."""

@@ -1,6 +1,6 @@
 """The entries of EOL's maps, which keep their order and take any value as a key, 1, 1.0 and true side by side.
 
-`Entries` is a Python mapping (so `m[k]`, `in`, `for`), with EOL's operations beside; a key that is absent gives None only through
+`Entries` is a Python mapping (so `m[k]`, `in`, `for`), with EOL's operations added; an absent key gives None only through
 `get`. What gives the keys and the values as collections, `Map` and `Tuple` themselves, is in `collections`.
 Source: EolMap and EolTuple of Epsilon.
 """

@@ -10,7 +10,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Never, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Never, TypeVar, cast, overload
 
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import find_literal
@@ -23,6 +23,7 @@ from robosmi.model.elements.driver import (
     Node,
     Type,
     TypeHandle,
+    refuse_unknown_attribute,
     unknown_type,
 )
 from robosmi.model.elements.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
@@ -33,6 +34,9 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.repository import Repository
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
+
+if TYPE_CHECKING:
+    from robosmi.model.plain_xml import XmlElement, XmlModel
 
 T = TypeVar("T")
 D = TypeVar("D")
@@ -67,8 +71,30 @@ class ModelView(Model):
         return list(self._emf.packages)
 
     @property
+    def root(self) -> XmlElement | None:
+        """The root element of a model that has one, as plain XML; it may be given another."""
+        return self._xml.root
+
+    @root.setter
+    def root(self, element: XmlElement) -> None:
+        """Put another element in the place of the root."""
+        self._xml.root = element
+
+    @property
+    def _xml(self) -> XmlModel:
+        from robosmi.model.plain_xml import XmlModel
+
+        if not isinstance(self.model, XmlModel):
+            raise ModelError(f"the model {self.name} has no 'root': it may have several roots", fix="use roots")
+        return self.model
+
+    def __setattr__(self, name: str, value: object) -> None:
+        refuse_unknown_attribute(self, name)
+        super().__setattr__(name, value)
+
+    @property
     def _emf(self) -> EmfModel:
-        """The model; others have types of the names that are asked of it, or raise an error."""
+        """The model; any name of a type is an attribute, and others raise an error."""
         return cast(EmfModel, self.model)
 
     def _collected(self, items: Sequence[T]) -> Q[T]:
@@ -145,9 +171,9 @@ class ModelView(Model):
 
     def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicNode:
         """A new element of this model (EOL `new T(name = "x")`, `T.createInstance()`); see `Model.create`."""
-        wanted = self.type_named(kind) if isinstance(kind, str) else kind
-        refuse_unnamed(wanted, values)
-        return self.model.create(wanted, **features)
+        resolved = self.type_named(kind) if isinstance(kind, str) else kind
+        refuse_unnamed(resolved, values)
+        return self.model.create(resolved, **features)
 
     def delete(self, element: Node) -> None:
         """Take an element with all it contains out of this model (EOL `delete`); see `Model.delete`."""
@@ -223,7 +249,7 @@ def all_instances(name: str) -> Q[DynamicNode]:
     plain = name.rpartition("!")[2]
     if len(having) > 1:
         others = ", ".join(f"{m.name}!{plain}" for m in having)
-        warnings.warn(f"the type '{name}' may be any of {others}; the first is taken", stacklevel=2)
+        warnings.warn(f"the type '{name}' may be any of {others}; the first is used", stacklevel=2)
     return Q._of(list(having[0].all_of_kind(having[0].find_type(plain) or plain)))
 
 

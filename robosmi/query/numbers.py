@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
 def _integer(value: Any, name: str) -> int:
     if not fits_integer(value):
-        raise OperandError(f"{name} takes Integers, not {value!r}")
+        raise OperandError(f"{name} needs Integers, not {value!r}")
     return int(value)
 
 
 def _number(value: Answer, name: str) -> Any:
     if not is_number(value):
-        raise OperandError(f"{name} takes numbers, not {value!r}")
+        raise OperandError(f"{name} needs numbers, not {value!r}")
     return value
 
 

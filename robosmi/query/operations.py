@@ -125,7 +125,7 @@ def _guarded(function: Function, name: str, arguments: tuple[V, ...], options: d
     try:
         inspect.signature(function).bind(*arguments, **options)
     except TypeError as error:
-        raise OperandError(f"{name}: {error}", fix="see docs/reference/eol.md for what it takes") from error
+        raise OperandError(f"{name}: {error}", fix="see docs/reference/eol.md for its arguments") from error
     try:
         made: Dynamic = function(*arguments, **options)
         return made

@@ -55,7 +55,7 @@ def plus(left: V, right: W) -> int | float | str | Q[Any]:
 
 
 def minus(left: V, right: W) -> int | float | Q[Any] | None:
-    """`-`: subtracts numbers, takes a collection's items out of another; None for anything else, as in EOL."""
+    """`-`: subtracts numbers, removes a collection's items from another; None for anything else, as in EOL."""
     if is_number(left) and is_number(right):
         return _fit(left - right, left, right)
     if collection_kind(left) is not None and collection_kind(right) is not None:
@@ -129,7 +129,7 @@ def truth(value: Any, operator: str = "a condition") -> bool:
         OperandError: it is no Boolean.
     """
     if value.__class__ is not bool:
-        raise OperandError(f"{operator} takes Booleans, not {as_string(value) or value!r}")
+        raise OperandError(f"{operator} needs Booleans, not {as_string(value) or value!r}")
     return bool(value)
 
 

@@ -68,7 +68,7 @@ def operation(context: types.AnyKind, *, name: str | None = None) -> Callable[[F
         name: the operation's name; the function's if None.
 
     The decorated function, called itself, is dispatched too, among the operations of its name that its module sees.
-    A second declaration for the same type in the same module takes the place of the first, so that notebooks may repeat it.
+    A second declaration for the same type in the same module replaces the first, so that notebooks may repeat it.
 
     >>> from robosmi.query import call
     >>> @operation(int)

@@ -46,7 +46,7 @@ def get(target: V, name: str) -> Dynamic:
 
 def _property(target: V, name: str) -> Answer:
     if target is None:
-        raise UndefinedError(f"the property '{name}' of nothing was asked for", fix="use get_safe, or a default")
+        raise UndefinedError(f"the property '{name}' cannot be read from nothing", fix="use get_safe, or a default")
     if name[:1] == "~":
         noted: Answer = getattr(ext(target), name[1:])
         return noted
@@ -105,7 +105,7 @@ def get_all(items: Iterable[Any], name: str, default: Answer = _MISSING) -> list
         try:
             values = list(map(attrgetter(name), found))
         except AttributeError:
-            values = [_of(x, name) for x in found]  # an operation without arguments, or the one that has none, and says so
+            values = [_of(x, name) for x in found]  # an operation without arguments; one that has some raises
         if not any(compares_itself(cls) or issubclass(cls, _METHODS) for cls in {x.__class__ for x in values}):
             return values
     return [_of(x, name) for x in found]
@@ -120,7 +120,7 @@ def of_items(items: Iterable[V], name: str, default: Answer = _MISSING) -> list[
     try:
         return get_all(items, name, default)
     except UnknownPropertyError as error:
-        from difflib import get_close_matches  # 4 ms, wanted only when something is wrong
+        from difflib import get_close_matches  # 4 ms, needed only for an error
 
         operations = TABLES["Collection"]
         near = snake(name) if snake(name) in operations else next(iter(get_close_matches(snake(name), operations, 1)), None)
@@ -133,7 +133,7 @@ def of_items(items: Iterable[V], name: str, default: Answer = _MISSING) -> list[
 
 
 def _has_feature(cls: type, name: str) -> bool:
-    """Whether elements of a class can be asked for a name at once, since it is a feature of theirs and nothing else of Python."""
+    """Whether a name is a feature of a class and nothing else of Python, so that it can be read directly."""
     if not name.isidentifier() or name[0] == "_" or compares_itself(cls):
         return False
     if issubclass(cls, EObject):

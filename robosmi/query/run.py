@@ -47,8 +47,8 @@ class Run:
             place = id(target)
             entry = self._kept.get(place)
             if entry is None or entry[0]() is not target:
-                kept = self._kept
-                entry = kept[place] = (weakref.ref(target, lambda _, p=place: kept.pop(p, None)), {})  # type: ignore[misc]
+                cached = self._kept
+                entry = cached[place] = (weakref.ref(target, lambda _, p=place: cached.pop(p, None)), {})  # type: ignore[misc]
         except TypeError:  # no weak reference to numbers and texts
             return self._of_values.setdefault(key(target), {})
         return entry[1]

@@ -27,7 +27,7 @@ def _index(value: Any, low: int, high: int, name: str) -> int:
 
 def _text(value: Answer, name: str) -> str:
     if not isinstance(value, str):
-        raise OperandError(f"{name} takes a text, not {value!r}")
+        raise OperandError(f"{name} needs a text, not {value!r}")
     return value
 
 
@@ -99,11 +99,11 @@ def index_of(text: str, part: Any, start: int = 0) -> int:
 
 
 def last_index_of(text: str, part: Any, start: int | None = None) -> int:
-    """Where the part last occurs, beginning not behind a place, or -1."""
-    wanted = chr(part) if fits_integer(part) else _text(part, "lastIndexOf")
+    """Index of the last occurrence of the part that begins at an index or before, or -1."""
+    part_text = chr(part) if fits_integer(part) else _text(part, "lastIndexOf")
     if start is not None and start < 0:
         return -1
-    return text.rfind(wanted) if start is None else text.rfind(wanted, 0, start + len(wanted))
+    return text.rfind(part_text) if start is None else text.rfind(part_text, 0, start + len(part_text))
 
 
 def contains(text: str, part: str) -> bool:

@@ -1,4 +1,4 @@
-"""Types in queries: EOL's own (Integer, Collection, Any ...), and the types of models of any technology, all asked the same way.
+"""Types in queries: EOL's own (Integer, Collection, Any ...), and the types of models of any technology, with one interface.
 
 A type may be given as a Python class (generated ones too), an EClass, a model's `m.Book`, an `EolType`, or a name ("Integer",
 "Book", "library::Book", "M!Book"); names of model types are looked up in the models of the current run. Not here: extents.
@@ -74,9 +74,9 @@ def type_named(name: str) -> driver.Type | EolType:
     if (found := _BUILT_IN.get(name)) is not None:
         return found
     models = current_run().models
-    wanted, _, type_name = name.rpartition("!")
+    model_name, _, type_name = name.rpartition("!")
     for model in models:
-        if (not wanted or model.name == wanted) and (kind := model.find_type(type_name)) is not None:
+        if (not model_name or model.name == model_name) and (kind := model.find_type(type_name)) is not None:
             return kind
     raise unknown_type(name, [*_BUILT_IN, *(n for model in models for n in model.type_names())])
 
@@ -106,8 +106,8 @@ def is_kind_of(value: V, kind: AnyKind) -> bool:
     >>> is_kind_of(1, float), is_kind_of([1], "Bag"), is_kind_of("s", "Any")
     (True, True, True)
     """
-    wanted = resolve(kind)
-    return bool(wanted.is_kind(value)) if isinstance(wanted, EolType) else isinstance(value, wanted)
+    resolved = resolve(kind)
+    return bool(resolved.is_kind(value)) if isinstance(resolved, EolType) else isinstance(value, resolved)
 
 
 def is_type_of(value: V, kind: AnyKind) -> bool:
@@ -116,19 +116,19 @@ def is_type_of(value: V, kind: AnyKind) -> bool:
     >>> is_type_of(1, float), is_type_of([1], "Sequence")
     (False, True)
     """
-    wanted = resolve(kind)
-    return bool(wanted.is_type(value)) if isinstance(wanted, EolType) else value.__class__ is wanted
+    resolved = resolve(kind)
+    return bool(resolved.is_type(value)) if isinstance(resolved, EolType) else value.__class__ is resolved
 
 
 def matching(items: Iterable[V], kind: AnyKind, exact: bool = False) -> list[V]:
     """The items of the kind, or of exactly the type."""
-    wanted = resolve(kind)
-    if isinstance(wanted, EolType):
-        test = wanted.is_type if exact else wanted.is_kind
+    resolved = resolve(kind)
+    if isinstance(resolved, EolType):
+        test = resolved.is_type if exact else resolved.is_kind
         return [x for x in items if test(x)]
     if exact:
-        return [x for x in items if x.__class__ is wanted]
-    return [x for x in items if isinstance(x, wanted)]
+        return [x for x in items if x.__class__ is resolved]
+    return [x for x in items if isinstance(x, resolved)]
 
 
 def type_of(value: V) -> driver.Type | EolType | None:

@@ -161,8 +161,8 @@ def position(items: Sequence[V], value: V) -> int:
     if cls in _NUMERIC:
         return next((i for i, x in enumerate(items) if x.__class__ is cls and x == value), -1)
     if compares_itself(cls):
-        wanted = key(value)
-        return next((i for i, x in enumerate(items) if key(x) == wanted), -1)
+        searched = key(value)
+        return next((i for i, x in enumerate(items) if key(x) == searched), -1)
     try:
         return items.index(value)
     except ValueError:

@@ -1,6 +1,6 @@
 """Setting a feature of an element from a rule: many values to a many-valued feature, one to a single-valued one, nothing else.
 
-Works on every technology's elements; EMF's own are asked for their feature.
+Works on every technology's elements; those of EMF by their feature.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.query.values import collection_kind
 
 
 def is_many(target: Node, name: str) -> bool:
-    """Whether a feature of an element takes many values.
+    """Whether a feature of an element is many-valued.
 
     Raises:
         ModelError: there is no such feature.
@@ -46,7 +46,7 @@ def assign(target: Node, name: str, value: Any, given: FeatureValue = None) -> N
     if not is_many(target, name):
         if collection:
             raise ModelError(
-                f"{name} of {target!r} takes one value, not the equivalents of a collection",
+                f"{name} of {target!r} has one value, not the equivalents of a collection",
                 fix="give one element, or take one of the collection",
             )
         setattr(target, name, value)
@@ -55,7 +55,7 @@ def assign(target: Node, name: str, value: Any, given: FeatureValue = None) -> N
         return
     if not collection:
         raise ModelError(
-            f"{name} of {target!r} takes many values, not the equivalent of {given!r}", fix=f"put it into a list: {name}=[x]"
+            f"{name} of {target!r} is many-valued, not the equivalent of {given!r}", fix=f"put it into a list: {name}=[x]"
         )
     values = getattr(target, name)
     values.clear()

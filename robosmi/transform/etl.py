@@ -179,9 +179,9 @@ class ETL(Settings):
         running = self._schedule()
         given = [called(rule) for rule in rules]
         for name in given:
-            said = f"equivalents of the rule '{name}' were asked for, which is no rule{did_you_mean(name, running.by_name)}"
-            if name not in running.by_name and said not in self.warnings:
-                self.warnings.append(said)
+            message = f"equivalents are requested of '{name}', which is no rule{did_you_mean(name, running.by_name)}"
+            if name not in running.by_name and message not in self.warnings:
+                self.warnings.append(message)
         return given
 
     @overload
@@ -194,7 +194,7 @@ class ETL(Settings):
         Args:
             source: an element, a value, or a collection of them.
             rules: names of rules, or their functions; all if none. A name that is no rule gives nothing, and a warning.
-            kind: the class of what is wanted; all classes if None. Of one source, no collection.
+            kind: the class of the equivalents; all classes if None. Of one source, no collection.
 
         Returns:
             The first target, or None; of a collection all targets of all members, in a flat list.
@@ -258,7 +258,7 @@ _COLLECTIONS: dict[type, bool] = {}
 
 
 def _is_collection(value: Sources) -> TypeGuard[Iterable[Item]]:
-    """Whether the value is a collection; that is asked at every equivalent, and its class decides."""
+    """Whether the value is a collection, by its class alone, since every equivalent needs this."""
     cls = value.__class__
     known = _COLLECTIONS.get(cls)
     if known is None:
@@ -369,7 +369,7 @@ def _flattened(links: list[Link], rules: dict[str, BoundRule]) -> list[Node]:
 
 
 class Demand(Schedule):
-    """Rule by rule, for each element guard, target and body at once; what is asked for is made when it is asked for."""
+    """Rule by rule, for each element guard, target and body at once; lazy rules run on demand."""
 
     def run(self) -> None:
         """Transform the models.

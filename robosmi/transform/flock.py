@@ -152,8 +152,8 @@ class Flock(Settings):
         if kind is None:
             return cast("Dynamic", made)
         if not isinstance(made, kind):
-            said = f"what became of {original!r} is no {kind.__name__}: {made!r}"
-            raise RuleError(said, fix="ask for the class that it is of now")
+            message = f"the equivalent of {original!r} is no {kind.__name__}: {made!r}"
+            raise RuleError(message, fix="use its present class")
         return made
 
     def set(self, target: Node, /, **features: FeatureValue) -> None:
@@ -337,10 +337,10 @@ class Flock(Settings):
                 try:
                     rule.body(original, migrated)
                 except (Exception, SystemExit) as error:
-                    told = failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original])
+                    failure = failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original])
                     if migrated is None and not isinstance(error, RobosmiError):
-                        told.fix = _BECOMES_NOTHING.format(original.eClass.name)
-                    raise told from error
+                        failure.fix = _BECOMES_NOTHING.format(original.eClass.name)
+                    raise failure from error
 
 
 _BECOMES_NOTHING = (
@@ -393,7 +393,7 @@ class ConservativeCopy:
     Args:
         equivalent: element of the original model -> its equivalent, None if it has none, itself if it is of another model.
         literal: enumeration and literal by name -> the literal of the new metamodel, or None.
-        warn: takes warnings.
+        warn: receives warnings.
     """
 
     def __init__(
@@ -440,7 +440,7 @@ class ConservativeCopy:
         return self._equivalent(value) if isinstance(value, EObject) else value
 
     def _fitting(self, value: Any, feature: EStructuralFeature, wanted: EStructuralFeature) -> Any:
-        """The value as the new feature takes it, or NONE."""
+        """The value in the new feature's form, or NONE."""
         if feature.many:
             upper = wanted.upperBound if wanted.upperBound >= 0 else len(value)
             if not wanted.many or not wanted.lowerBound <= len(value) <= upper:

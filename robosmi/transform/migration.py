@@ -25,10 +25,10 @@ class ModelMigration(Struct, dict=True):
     """A step between two versions.
 
     Attributes:
-        old: the .ecore file of the older version. What it refers to in other files (`ccode.ecore#//Call`) is taken from the newer
+        old: the .ecore file of the older version. What it refers to in other files (`ccode.ecore#//Call`) comes from the newer
             packages where they have that namespace, so that elements of other models stay what they are.
-        rules: adds the rules to a `Flock`; what the newer version still takes is copied without any.
-        new: packages of the newer version; if None those that a model is loaded with, the built-in ones beside them.
+        rules: adds the rules to a `Flock`; values that the newer version still accepts are copied without rules.
+        new: packages of the newer version; if None those that a model is loaded with, and the built-in ones.
         assumed: the namespaces of the metamodel that a model is loaded with, if these are the newer version since none is named.
     """
 
@@ -60,9 +60,9 @@ class ModelMigration(Struct, dict=True):
         if self.new is not None:
             return self
         known = {package.nsURI for package in metamodels.packages}
-        beside = [package for package in built_in().packages if package.nsURI not in known]
+        others = [package for package in built_in().packages if package.nsURI not in known]
         namespaces = ", ".join(str(package.nsURI) for package in metamodels.packages)
-        return ModelMigration(self.old, self.rules, Metamodel([*metamodels.packages, *beside]), namespaces)
+        return ModelMigration(self.old, self.rules, Metamodel([*metamodels.packages, *others]), namespaces)
 
     def packages(self) -> list[Package]:
         """The packages of the older version."""
@@ -75,7 +75,7 @@ class ModelMigration(Struct, dict=True):
             roots: file -> root of a model in the older version.
 
         Raises:
-            RuleError: a rule raises, elements would be lost about which no rule says anything, or there are not as many roots as
+            RuleError: a rule raises, elements without a rule would be lost, or there are not as many roots as
                 before.
         """
         given = {
@@ -89,9 +89,9 @@ class ModelMigration(Struct, dict=True):
         made: dict[Path, EObject] = {file: new for file, root in roots.items() if isinstance(new := f.equivalent(root), EObject)}
         if len(left) != len(roots) or len(made) != len(roots):
             (first, *_), several = roots.values(), len(roots) > 1
-            wanted = f"{len(roots)} roots" if several else "one"
+            expected = f"{len(roots)} roots" if several else "one"
             raise RuleError(
-                f"migrating {first!r} of {first.eClass.ePackage.nsURI} leaves {len(left)} roots instead of {wanted}",
+                f"migrating {first!r} of {first.eClass.ePackage.nsURI} leaves {len(left)} roots instead of {expected}",
                 fix="retype the classes that were renamed: retype(old, new)",
             )
         if f.left_out:

@@ -41,8 +41,8 @@ class Rule(Struct, frozen=True, eq=False):
         names: names of the targets, its parameters.
         guard: for which sources it applies, or None for all.
         extends: the rules it extends, names or functions.
-        lazy: whether it runs only for what is asked for.
-        greedy: whether it takes subtypes of its source type.
+        lazy: whether it runs only on demand.
+        greedy: whether it applies to subtypes of its source type.
         abstract: whether it only serves others.
         primary: whether its targets come first among the equivalents.
         init: target name -> function of the source that gives the object to use as target.
@@ -87,7 +87,7 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
         return Rule(title, body, "", [], names).wrong(message, fix)
 
     if not parameters:
-        raise wrong("takes no source", "give its function a parameter for the source and one for each target")
+        raise wrong("has no source", "give its function a parameter for the source and one for each target")
     source = transform if transform is not None else _annotation(body, parameters[0])
     if targets is None:
         targets = [_annotation(body, name) for name in names]
@@ -108,7 +108,7 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
 
 
 def _parameters(body: NamedFunction) -> list[str]:
-    """The names of the parameters that have no default; of a plain function without `inspect`, which takes long."""
+    """The names of the parameters that have no default; of a plain function without `inspect`, which is slow."""
     if isinstance(body, FunctionType) and not hasattr(body, "__wrapped__") and not body.__code__.co_flags & _MORE:
         code = body.__code__
         return list(code.co_varnames[: code.co_argcount - len(body.__defaults__ or ())])
@@ -139,7 +139,7 @@ def _annotation(body: NamedFunction, parameter: str) -> Any:
 
 
 def _nonlocals(body: NamedFunction) -> dict[str, Any]:
-    """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and takes long)."""
+    """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and is slow)."""
     found = {}
     for name, cell in zip(body.__code__.co_freevars, body.__closure__ or (), strict=True):
         with suppress(ValueError):  # not set yet

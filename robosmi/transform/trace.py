@@ -216,13 +216,13 @@ class _OtherCopies:
         Raises:
             ModelError: it is so.
         """
-        if not isinstance(element, EObject) or (asked := own_resource_of(root_of(element))) is None:
+        if not isinstance(element, EObject) or (resource := own_resource_of(root_of(element))) is None:
             return
         if self._counted != len(self.links):
             self._counted = len(self.links)
             ends = (one for link in self.links for one in (*link.sources, *link.targets) if isinstance(one, EObject))
             self._models = {id(own_resource_of(root) or root): _kind(root) for one in ends for root in [root_of(one)]}
-        if id(asked) not in self._models and _kind(root_of(element)) in self._models.values():
+        if id(resource) not in self._models and _kind(root_of(element)) in self._models.values():
             raise ModelError(
                 f"the trace is about other models than that of {element!r}, or about another copy of it",
                 fix="open the models and then the trace in one Session: session.open_model(file)",

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 R = TypeVar("R")
 E = TypeVar("E")
 _GIVEN = frozenset({"check", "context", "critique"})
-"""What a declaration says of a constraint by itself, not by an option."""
+"""What a declaration defines of a constraint itself, not by an option."""
 GLOBAL = "<Global>"
 """The name, as in EVL, of the context of constraints that are declared without a context."""
 
@@ -45,19 +45,19 @@ class Fix(Struct, frozen=True):
     guard: bool | Function = True
 
 
-_FIX = 'write Fail("message", Fix("what it does", function)), each fix behind the message'
+_FIX = 'write Fail("message", Fix("what it does", function)), each fix after the message'
 
 
 class Fail:
-    """What a check gives that failed: it is false, and says why.
+    """The result of a failed check: it is false, and has a message.
 
     Args:
         message: what is wrong; the constraint's own message if None.
         fixes: ways to repair it.
-        extras: values that are kept with the finding.
+        extras: values for the finding.
 
     Raises:
-        UsageError: what stands behind the message is no fix, or a fix is given by name, where it would be a value to keep.
+        UsageError: an argument after the message is no fix, or a fix has a name, which would make it an extra value.
 
     >>> bool(Fail("too short"))
     False
@@ -68,10 +68,10 @@ class Fail:
     def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: ItemOrItems) -> None:
         for fix in fixes:
             if not isinstance(fix, Fix):
-                raise UsageError(f"a Fail takes a message and fixes, not a {type(fix).__name__}", fix=_FIX)
+                raise UsageError(f"a Fail needs a message and fixes, not a {type(fix).__name__}", fix=_FIX)
         for name, value in extras.items():
             if any(isinstance(x, Fix) for x in (value if isinstance(value, (list, tuple)) else [value])):
-                raise UsageError(f"'{name}=' of a Fail is a value that is kept with the finding, and offers no fix", fix=_FIX)
+                raise UsageError(f"'{name}=' of a Fail is an extra value of the finding, and no fix", fix=_FIX)
         self.message = message
         self.fixes = fixes
         self.extras = extras
@@ -249,11 +249,11 @@ class Context(Generic[E]):
         return add if check is None else add(check)
 
     def _check_parameters(self, name: str, function: Function) -> None:
-        """Refuse a function of a context that takes no element."""
+        """Reject a function of a context without a parameter for the element."""
         code = code_of(function)
         if self.kind is not None and code is not None and not code.co_argcount and not code.co_flags & CO_VARARGS:
             raise RuleError(
-                f"the constraint {name} of {self.name} takes nothing",
+                f"the constraint {name} of {self.name} has no parameter",
                 location=place_of(function), fix="give its function a parameter: it is called with the element",
             )  # fmt: skip
 

@@ -1,7 +1,7 @@
 """One evaluation of constraints on models: the order of evaluation, and the cache of results.
 
 The order is that of Epsilon's engine: contexts in order of declaration, their elements in containment order, and for each
-element the constraints in order. The result of a check is cached, and used once some `satisfies` has asked for the constraint.
+element the constraints in order. The result of a check is cached, and used once some `satisfies` has requested the constraint.
 Findings are a set of (constraint, element, message). Source: Kolovos et al., The Epsilon Book, chapter 5, and measurements
 (docs/reference/evl.md).
 """
@@ -71,7 +71,7 @@ class _State:
             return self.results[element]
         return element not in self.failed if element in self.done else None
 
-    def asked(self) -> None:
+    def requested(self) -> None:
         """Use cached results from now on, since some `satisfies` asks for this constraint."""
         self.depended_on = self.recorded = True
 
@@ -117,7 +117,7 @@ class Evaluation:
         """Evaluate all constraints that are not lazy.
 
         Raises:
-            RuleError: a guard, a check, a message or a fix's title or guard raises; what was found before is kept.
+            RuleError: a guard, a check, a message or a fix's title or guard raises; the findings so far stay.
         """
         for context, kind, states, done in self._contexts:
             if not context.lazy:
@@ -148,13 +148,13 @@ class Evaluation:
                         if not state.applies(element):
                             continue
                         if state.answer(element) is not None:
-                            continue  # its failure was reported when it was asked for
+                            continue  # its failure was reported on request
                         verdict = state.verdict(element)
                         state.results[element] = bool(verdict)
                     else:
                         verdict = state.verdict(element)
                 except (RuleError, InternalError):
-                    raise  # of a constraint that was asked for
+                    raise  # of a requested constraint
                 except (Exception, SystemExit) as error:
                     raise self._failed(error, state, element) from error
                 if not verdict:
@@ -182,21 +182,21 @@ class Evaluation:
 
     def _report(self, state: _State, element: Any, verdict: Any) -> None:
         constraint = state.constraint
-        said = verdict if isinstance(verdict, Fail) else Fail()
+        result = verdict if isinstance(verdict, Fail) else Fail()
         what: tuple[str, Any] = ("the message", constraint.message)
         try:
-            message = said.message if said.message is not None else option_value(constraint.message, element)
+            message = result.message if result.message is not None else option_value(constraint.message, element)
             default = message is None
-            message = f"Invariant {constraint.name} failed for {element!r}" if default else str(message)
+            message = f"Invariant {constraint.name} result for {element!r}" if default else str(message)
             key = (constraint, element, message)
             if key in self._found:
                 return
             self._found.add(key)
             what = ("the advice", constraint.advice)
             advice = option_value(constraint.advice, element)
-            found = Unsatisfied(constraint, element, message, default, dict(said.extras), advice=advice)
+            found = Unsatisfied(constraint, element, message, default, dict(result.extras), advice=advice)
             self.result.unsatisfied.append(found)
-            for fix in (*said.fixes, *constraint.fixes):
+            for fix in (*result.fixes, *constraint.fixes):
                 what = ("a fix's guard or title", fix.guard if callable(fix.guard) else fix.title)
                 if option_value(fix.guard, element):
                     found.fixes.append(ApplicableFix(fix, found, self.models))
@@ -238,13 +238,13 @@ class Evaluation:
 
     def _ask(self, state: _State, element: Any) -> bool:
         if not state.applies(element):
-            state.asked()
+            state.requested()
             return False
         verdict = state.verdict(element)
         state.results[element] = bool(verdict)
         if not verdict:
             self._report(state, element, verdict)
-        state.asked()
+        state.requested()
         return bool(verdict)
 
     def _state_named(self, name: Any, element: Any) -> _State:

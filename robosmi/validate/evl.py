@@ -97,7 +97,7 @@ class EVL(Settings):
         terminate: bool = False,
     ) -> Decorator: ...
     def constraint(self, check: Any = None, /, **options: Any) -> Any:
-        """Add a constraint without context: it is evaluated once, after all contexts, and its function takes nothing."""
+        """Add a constraint without context: it is evaluated once, after all contexts, and its function has no parameter."""
         add = self._constraints.constraint(**options)
         return add if check is None else add(check)
 
@@ -140,7 +140,7 @@ class EVL(Settings):
                 yield from context.constraints
 
     def run(self, *models: Given, fix: str | Callable[[Unsatisfied], ApplicableFix | None] | None = None) -> Validation:
-        """Validate: pre blocks, all checks, fixes if wanted, post blocks.
+        """Validate: pre blocks, all checks, fixes if requested, post blocks.
 
         Args:
             models: handles or root elements; those of the constructor if none.

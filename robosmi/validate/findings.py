@@ -56,7 +56,7 @@ class ApplicableFix:
                 for recording in recordings:
                     recording.undo()
                 if not isinstance(error, (Exception, SystemExit)):
-                    raise  # a person interrupts
+                    raise  # the user interrupts
                 what = f"the fix '{self.title}' of {self.of.constraint.name}"
                 raise failed(error, what, self._fix.do, self.of.element, self._models) from error
         self.of.fixed = True
@@ -81,7 +81,7 @@ class Unsatisfied(Struct, eq=False):
         element: the element, None for a constraint without context.
         message: what is wrong.
         default_message: whether nobody wrote a message for it.
-        extras: values that the check kept.
+        extras: values of the check.
         fixes: the fixes that apply.
         fixed: whether one of them was applied.
         advice: what to do, or None.
@@ -212,7 +212,7 @@ class Validation:
         return as_string(value) if isinstance(value, Sequence) else place_in_model(value, self.models)
 
     def text(self) -> str:
-        """The report for a person: a line for each finding, below it the fixes that apply, then a summary."""
+        """The report for users: a line for each finding, below it the fixes that apply, then a summary."""
         lines = []
         for u in self.unsatisfied:
             place = self.place(u)
@@ -222,8 +222,8 @@ class Validation:
             done, why = ("fixed", "") if a.error is None else ("not fixed", f": {a.error.message}")
             lines.append(f"{done} {a.of.name}: {a.title}{why}")
         counts = [(sum(u.severity is level for u in self.unsatisfied), level.name) for level in reversed(Severity)]
-        said = ", ".join(f"{count} {name}{'s' if count != 1 and name != 'info' else ''}" for count, name in counts if count)
-        return "\n".join([*lines, said or "all constraints are satisfied"])
+        summary = ", ".join(f"{count} {name}{'s' if count != 1 and name != 'info' else ''}" for count, name in counts if count)
+        return "\n".join([*lines, summary or "all constraints are satisfied"])
 
     def __repr__(self) -> str:
         return f"<Validation: {len(self.unsatisfied)} unsatisfied, {len(self.fixed)} fixed>"

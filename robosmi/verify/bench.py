@@ -60,7 +60,7 @@ class Bench(ABC):
         self.stored: list[StoredByte] = []
         self._store: dict[int, int] = {}  # address -> byte; others are erased
         self.brief: frozenset[str] = frozenset()
-        self._told: set[tuple[str, Level]] = set()  # what was recorded of brief pins
+        self._recorded: set[tuple[str, Level]] = set()  # what was recorded of brief pins
         self._contacts: dict[str, str] = {}
         self._devices: list[Device] = []
         self._at_pin: dict[str, list[Device]] = {}
@@ -197,9 +197,9 @@ class Bench(ABC):
             self.driven[pin] = level
             if pin in self._contacts:
                 self._pass_on(pin)
-            if (pin, level) in self._told:
+            if (pin, level) in self._recorded:
                 return
-            self._told.add((pin, level))
+            self._recorded.add((pin, level))
             self.changes.append(PinChange(self.now, pin, level))
             return
         self.driven[pin] = level
@@ -382,7 +382,7 @@ class Device:
     def bus_stop(self) -> None:
         """React to the end of a transfer."""
 
-    def keep(self, address: int, content: bytes) -> None:
+    def restore(self, address: int, content: bytes) -> None:
         """Have bytes from an earlier run, if it is a memory that keeps them without power."""
 
     def note(self, what: str, value: Any) -> None:

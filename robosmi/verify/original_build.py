@@ -59,6 +59,7 @@ class OriginalProgram(Struct, frozen=True):
         sources: the user's files.
         compiler: name and version of the compiler.
         unmodelled: functions that it calls and that neither it nor the model has; reaching one ends a run.
+        stubbed: those that do nothing instead.
         counters: where each function's coverage counters are in the data that a run leaves.
         data_bytes: the size of that data.
         store_bytes: how many bytes of the board's memory that it keeps without power are told apart; what lies beyond is recorded
@@ -71,6 +72,7 @@ class OriginalProgram(Struct, frozen=True):
     sources: tuple[Path, ...]
     compiler: str
     unmodelled: tuple[str, ...]
+    stubbed: tuple[str, ...]
     counters: tuple[Counters, ...]
     data_bytes: int
     store_bytes: int = 0
@@ -86,6 +88,7 @@ def build_original(
     *,
     only: Collection[Path] | None = None,
     trusted: bool = False,
+    stubs: Mapping[str, bool] | None = None,
 ) -> OriginalProgram:
     """Compile and link a program.
 
@@ -98,6 +101,7 @@ def build_original(
         limit_s: seconds of processor time for all of it.
         only: the files that the program may include, and those of the model; any if None.
         trusted: whether a person trusts the program, so that it may also run where the system has no sandbox for it.
+        stubs: functions that do nothing if there is no model of them -> whether they return a fraction.
 
     Raises:
         MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size; or the
@@ -105,7 +109,7 @@ def build_original(
         VerificationError: the program does not compile or link, or that takes too long.
     """
     files = None if only is None else frozenset(path.resolve() for path in only)
-    build = _Build(model, folder.resolve(), used_s() + limit_s, files, trusted)
+    build = _Build(model, folder.resolve(), used_s() + limit_s, files, trusted, dict(stubs or {}))
     return build.program([path.resolve() for path in sources], [path.resolve() for path in include_folders], headers or {})
 
 
@@ -130,6 +134,7 @@ class _Build(Struct, dict=True):
     until: float
     only: frozenset[Path] | None = None
     trusted: bool = False
+    stubs: dict[str, bool] = {}
 
     def program(self, sources: list[Path], include_folders: list[Path], headers: Mapping[str, str]) -> OriginalProgram:
         self._find_tools()
@@ -164,7 +169,11 @@ class _Build(Struct, dict=True):
                 f"the program's data are {data_bytes} bytes", fix=f"reduce them to at most {_MOST_DATA} bytes"
             )
         unknown = tuple(dict.fromkeys(_as_written(name) for name in made.unmodelled))
-        return OriginalProgram(binary, started_by, self.model, tuple(sources), self.compiler, unknown, made.counters, data_bytes)
+        left = tuple(name for name in unknown if name not in self.stubs)
+        stubbed = tuple(name for name in unknown if name in self.stubs)
+        return OriginalProgram(
+            binary, started_by, self.model, tuple(sources), self.compiler, left, stubbed, made.counters, data_bytes
+        )
 
     def _compile(self, source: Path, target: Path, flags: Sequence[str]) -> None:
         """Compile a file of the program, and look at the files and the assembler text that it consists of."""
@@ -248,16 +257,18 @@ class _Build(Struct, dict=True):
     # ---- linking
 
     def _stubs(self, unmodelled: Iterable[str]) -> Path:
-        """Functions that end the run with their name."""
+        """Functions that end the run with their name, or do nothing."""
         source, target = self.folder / _GENERATED, self.folder / "unmodelled.o"
-        source.write_text(
-            "void host_unmodelled(const char *name);\n"
-            + "".join(
-                f'void {self.model.prefix}{name}(void) {{ host_unmodelled("{_as_written(name)}"); }}\n' for name in unmodelled
-            )
-        )
+        source.write_text("void host_unmodelled(const char *name);\n" + "".join(self._stub(name) for name in unmodelled))
         self._run("command", *self._flags("machine"), "-c", str(source), "-o", str(target))
         return target
+
+    def _stub(self, name: str) -> str:
+        written = _as_written(name)
+        if written not in self.stubs:
+            return f'void {self.model.prefix}{name}(void) {{ host_unmodelled("{written}"); }}\n'
+        # a caller finds a whole number or a pointer where it looks for the half of a longer one
+        return f"{'double' if self.stubs[written] else 'long long'} {self.model.prefix}{name}(void) {{ return 0; }}\n"
 
     def _link(self, binary: Path, *parts: Path) -> None:
         command = [self.tools["command"], *(str(part) for part in parts), *self._flags("link"), "-o", str(binary)]

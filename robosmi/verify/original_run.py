@@ -424,7 +424,7 @@ class HostBench(Bench):
         """Put bytes into that memory."""
         super().store(address, content)
         if self._memory is not None:
-            self._devices[self._memory].keep(address, content)
+            self._devices[self._memory].restore(address, content)
 
     def record_stored(self) -> None:
         """Tell what the program has stored from what else devices have noticed."""

@@ -1,7 +1,8 @@
 """Compiles adapters for the Raspberry Pi Pico with the stand-in of its core, each one alone with just what it declares.
 
-`python -m tests.adapters.pico [TEXT]` takes the adapters whose `header/name` contains that text, and prints what the compiler
-says and what the hardware layer lacks.
+`python -m tests.adapters.pico [TEXT [ARCHITECTURE]]` takes the adapters whose `header/name` contains that text, and prints what
+the compiler says and what the hardware layer lacks. An architecture without a layer of its own (`other`) has the one on the
+Arduino API, which is compiled with the Pico's core, too.
 """
 
 from __future__ import annotations
@@ -38,10 +39,13 @@ def folders() -> list[str]:
     return [f"-I{path}" for path in (*own, *others)]
 
 
-def said(wanted: Iterable[tuple[str, str]], folder: Path) -> str:
-    """The compiler's messages about some adapters in one program; what the layer lacks for one that is not served."""
+def said(wanted: Iterable[tuple[str, str]], folder: Path, architecture: str = "rp2040") -> str:
+    """The compiler's messages about some adapters in one program; what the layer lacks for one that is not served.
+
+    With another architecture the program has the pieces that are for that one, and is compiled with the same core.
+    """
     keys = sorted(wanted)
-    needed = AdapterPieces(pieces(), architecture="rp2040").needed(keys, "rp2040")
+    needed = AdapterPieces(pieces(), architecture=architecture).needed(keys, architecture)
     setup = "\n".join(f"  {statement}" for piece in needed.pieces for statement in piece.setup)
     text = program(needed.pieces, set(keys) - needed.unserved.keys())
     (folder / "adapters.cpp").write_text(f"{text}\nvoid setup() {{\n{setup}\n}}\n")
@@ -51,9 +55,14 @@ def said(wanted: Iterable[tuple[str, str]], folder: Path) -> str:
     return "\n".join([*dict.fromkeys(needed.unserved.values()), *lines])
 
 
-def run(uses: Iterable[str], program_text: str, milliseconds: float, folder: Path) -> PinTrace:
-    """Compile a program that calls adapters (`header/name`) for the Pico, run it on a simulated one, and tell what was seen."""
-    known = AdapterPieces(pieces(), architecture="rp2040")
+def run(
+    uses: Iterable[str], program_text: str, milliseconds: float, folder: Path, architecture: str = "rp2040"
+) -> PinTrace:  # fmt: skip
+    """Compile a program that calls adapters (`header/name`) for the Pico, run it on a simulated one, and tell what was seen.
+
+    The adapters are those of an architecture: of one that has no hardware layer of its own, on the Arduino API alone.
+    """
+    known = AdapterPieces(pieces(), architecture=architecture)
     needed = known.needed([(header, name) for header, name in (use.rsplit("/", 1) for use in uses)], "rp2040")
     assert not needed.unserved
     text = adapter_text([adapter_element(piece) for piece in needed.pieces], {}, NO_PIN)
@@ -66,14 +75,14 @@ def run(uses: Iterable[str], program_text: str, milliseconds: float, folder: Pat
     return simulate(job(report.elf, report.hex, load_board("pico"), milliseconds * 1000, []))
 
 
-def main(only: str = "") -> int:
+def main(only: str = "", architecture: str = "rp2040") -> int:
     """Compile the adapters whose names contain a text; the number of those that do not compile."""
     tried = wrong = 0
     with tempfile.TemporaryDirectory() as folder:
         for key in KEYS:
             if only in "/".join(key):
                 tried += 1
-                if text := said([key], Path(folder)):
+                if text := said([key], Path(folder), architecture):
                     wrong += 1
                     print(f"{'/'.join(key)}:\n{text}", flush=True)
     print(f"{tried} adapters compiled alone for the Pico, {wrong} with a warning or an error")

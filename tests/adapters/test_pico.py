@@ -1,4 +1,7 @@
-"""The adapters on the second architecture: all of a header compile for the Raspberry Pi Pico with the stand-in of its core."""
+"""The adapters on the second architecture, the Raspberry Pi Pico with the stand-in of its core: all of a header compile.
+
+Also: those of the hardware layer on the Arduino API, which the Pico's core has, too.
+"""
 
 from __future__ import annotations
 
@@ -22,6 +25,19 @@ OF_HEADERS = [header for header in HEADERS if header != HAL]
 def test_all_of_a_header_compile_for_the_pico(header: str, tmp_path: Path) -> None:
     require_tools("arm-none-eabi-g++")
     assert said([key for key in KEYS if key[0] == header], tmp_path) == ""
+
+
+@pytest.mark.parametrize("header", OF_HEADERS)
+def test_all_of_a_header_compile_on_the_arduino_api(header: str, tmp_path: Path) -> None:
+    require_tools("arm-none-eabi-g++")
+    lacking = AdapterPieces(pieces(), architecture="other").needed(KEYS, "other").unserved
+    assert said([key for key in KEYS if key[0] == header and key not in lacking], tmp_path, "other") == ""
+
+
+def test_what_the_arduino_api_cannot_serve_are_cogs_and_lights() -> None:
+    lacking = AdapterPieces(pieces(), architecture="other").needed(KEYS, "other").unserved
+    assert set(lacking.values()) == {"the other has no 'cog_frame'", "the other has no 'LightLine'"}
+    assert len(lacking) < len(KEYS) / 10
 
 
 def test_a_piece_that_does_not_compile_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -92,3 +108,38 @@ void loop() {}
     assert len(widths) >= 23
     assert {width for width in widths if abs(width - 1400) > 4 and abs(width - 500) > 4} <= {*widths[-1:]}
     assert trace.levels("GP16")[-1][1] == 1
+
+
+def test_outputs_on_the_arduino_api_behave_at_the_pins(tmp_path: Path) -> None:
+    """With the looser tolerances that the pieces state: pulses within 2 us, jobs in the background when the program waits.
+
+    The Pico's delay() does not call yield(), as those of the cores do that have this layer: the program waits by itself.
+    """
+    require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
+    require_engine("rp2040js")
+    program = """
+void wait(uint32_t ms) { for (uint32_t begun = millis(); millis() - begun < ms;) yield(); }
+void setup() { Serial.begin(115200); while (!Serial) {}
+  pulse_out(3, 150); pulse_out(3, 12); freqout(4, 50, 1000); square_wave(5, 0, 10); pwm_start(5000); pwm_set(6, 0, 1500);
+  servo_angle(16, 900); ee_putInt(123456, 32000); Serial.println(ee_getInt(32000)); high(18); Serial.println(get_state(18));
+  servo_set(20, 1000); wait(100); servo_setramp(20, 20); servo_set(20, 1500); wait(600); pwm_stop(); }
+void loop() {}
+"""
+    names = ["pulse_out", "freqout", "square_wave", "pwm_start", "pwm_set", "pwm_stop", "ee_putInt", "ee_getInt"]
+    names += ["high", "get_state"]
+    uses = [f"simpletools.h/{name}" for name in names]
+    uses += [f"servo.h/{name}" for name in ("servo_angle", "servo_set", "servo_setramp")]
+    trace = run(uses, program, 1100, tmp_path, "other")
+    assert trace.text.split() == ["123456", "1"]
+    assert [width for _, width in trace.pulses("GP3")] == pytest.approx([150, 12], abs=2)
+    begun = [at for at, _ in trace.pulses("GP4")]
+    assert (len(begun) - 1) / (begun[-1] - begun[0]) * 1e6 == pytest.approx(1000, rel=0.01)
+    waves = [width for _, width in trace.pulses("GP5")[1:-1]]
+    assert waves == pytest.approx([50_000] * len(waves), abs=100)
+    assert len(waves) >= 4
+    assert next(wave.duty for wave in trace.waves if wave.pin == "GP6") == pytest.approx(0.3, abs=0.01)
+    servo = [width for _, width in trace.pulses("GP16")[1:-1]]
+    assert servo == pytest.approx([1400] * len(servo), abs=4)
+    ramp = [width for _, width in trace.pulses("GP20")[6:-1]]
+    assert ramp == sorted(ramp)
+    assert len({round(width, -1) for width in ramp}) > 10, "the ramp goes on in the background of a pause"

@@ -151,14 +151,14 @@ def test_every_function_of_the_program_is_judged(plan: Any) -> None:
 
 
 @pytest.mark.parametrize("name", ["plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"])
-def test_emf_finds_nothing_and_would_write_the_same_bytes(name: str, output: Path, shared: Path, examples: Path) -> None:
+def test_emf_finds_nothing_and_would_write_the_same_bytes(name: str, output: Path, examples: Path) -> None:
     require_tools("java", "javac")
     if missing := [jar.name for jar in JARS if not jar.exists()]:
         pytest.skip(f"not installed: {', '.join(missing)} (Debian: libeclipse-emf-*-java)")
     metamodels = [examples.parents[1] / "metamodels" / f"{metamodel}.ecore" for metamodel in BUILT_IN]
     resaved = output / "models" / "resaved.xmi"
     done = subprocess.run(
-        ["sh", shared / "emf" / "check.sh", *metamodels, output / "models" / name, "--resave", resaved],
+        ["sh", examples.parents[1] / "tests" / "emf" / "check.sh", *metamodels, output / "models" / name, "--resave", resaved],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr

@@ -14,6 +14,7 @@ import pytest
 from robosmi.cli.main import COMMANDS
 from tests.running import run
 from tests.tools import require_tools
+from tests.transformations.t2m.fritzing.support import LABELS
 
 UNIT_KEYS: dict[str, set[str]] = {
     "includes": {"name", "form", "line", "kind", "found"},
@@ -97,9 +98,9 @@ def test_hardware_names_are_the_papers(line_follower: Path) -> None:
 
 
 @pytest.mark.parametrize("case", ["line_follower", "environmental_monitoring"])
-def test_hardware_mapping_equals_the_labels(case: str, examples: Path, shared: Path) -> None:
+def test_hardware_mapping_equals_the_labels(case: str, examples: Path) -> None:
     drawing = next((examples / case).glob("*.fzz"))
-    expected = json.loads((shared / "fritzing" / "cases" / f"{drawing.stem}.expected.json").read_text())
+    expected = json.loads((LABELS / f"{drawing.stem}.expected.json").read_text())
     mappings = run("hardware", drawing, "--json").result["mappings"]
     keys = ("board_model_index", "pin", "component_model_index", "connectors", "signal")
     assert [{k: m[k] for k in keys} for m in mappings] == [{k: m[k] for k in keys} for m in expected["mappings"]]

@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from robosmi.base.progress_events import announce
+from robosmi.base.progress_events import announce, remark
 from robosmi.chain import Chain
 from robosmi.cli import progress as module
 from robosmi.cli.main import main
@@ -96,6 +96,32 @@ def test_what_is_said_within_a_command_is_shown_in_one_line(monkeypatch: pytest.
 
 def test_what_nobody_hears_is_said_all_the_same() -> None:
     announce("nothing listens")
+    remark("nothing listens")
+
+
+def test_a_remark_stays_above_the_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    monkeypatch.setattr(module, "QUIET", 0.02)
+    with module.progress():
+        time.sleep(0.1)
+        announce("search")
+        remark("known\x1b[31m already")
+    assert "\x1b[31m" not in terminal.getvalue()
+    assert "\n" in terminal.getvalue()
+    assert terminal.getvalue().endswith("search ...\r\x1b[K")
+
+
+def test_in_a_log_a_long_command_has_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", log := io.StringIO())
+    with module.progress():
+        announce("something short")
+        remark("a remark")
+    assert log.getvalue() == "a remark\n"
+    monkeypatch.setattr(module, "LONG", 0.0)
+    with module.progress():
+        announce("search")
+        announce("compare")
+    assert log.getvalue() == "a remark\nsearch ...\n"
 
 
 def test_every_command_has_a_line_of_progress(monkeypatch: pytest.MonkeyPatch) -> None:

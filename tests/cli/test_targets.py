@@ -37,4 +37,25 @@ def test_nothing_is_claimed_where_nothing_is_installed(monkeypatch: pytest.Monke
     monkeypatch.setenv("HOME", str(tmp_path))
     found = known()
     assert {target["proven_by"] for target in found.values()} == {"not compiled here"}
-    assert "gcc-arm-none-eabi" in found["pico"]["missing"]
+    assert "gcc-arm-none-eabi" in found["pico"]["missing"][0]
+
+
+@pytest.mark.processes
+def test_a_target_has_its_full_name_and_its_proof_in_a_word(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    found = known()
+    teensy = found["teensy40"]
+    assert (teensy["fqbn"], teensy["title"], teensy["proof"], teensy["installed"]) == (
+        "teensy:avr:teensy40", "Teensy 4.0", "none", False,
+    )  # fmt: skip
+    assert teensy["missing"] == ["install it: arduino-cli core install teensy:avr, or let ROBOSMI_CORE name its folder"]
+    assert all(target["missing"] for target in found.values() if target["proof"] == "none")
+
+
+@pytest.mark.processes
+def test_what_of_a_board_is_not_simulated_is_said() -> None:
+    require_tools("arm-none-eabi-g++")
+    require_engine("rp2040js")
+    assert "LED" in known()["picow"]["not_simulated"]
+    assert "not simulated: the LED" in run("targets").out
+    assert known()["pico"]["not_simulated"] is None

@@ -68,7 +68,7 @@ def test_what_cannot_be_had_is_said_with_the_reason(source: tuple[str, str], tmp
 def test_all_tables_are_read_and_every_commit_is_whole() -> None:
     files = list(wanted())
     assert sum(one.place.startswith("corpus/") and not one.endings for one in files) == 156
-    assert sum(one.place.startswith("drawings/") for one in files) > 200
+    assert sum(one.place.startswith("drawings/") for one in files) > 240
     assert {len(one.commit) for one in files} == {40}
 
 

@@ -14,7 +14,8 @@ from robosmi.model.ecore.metamodels import BUILT_IN
 from robosmi.model.generator.codegen import render
 from tests.tools import require_tools
 
-FOLDER = Path(__file__).parents[2] / "metamodels"
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "metamodels"
 JARS = [Path(f"/usr/share/java/{name}.jar") for name in ("eclipse-emf-common", "eclipse-emf-ecore", "eclipse-emf-ecore-xmi")]
 
 
@@ -54,11 +55,11 @@ def test_features_avoid_the_names_that_break_in_python_or_java(name: str) -> Non
     assert used & {"file", "type", "from", "class", "import", "in", "eClass"} == set()
 
 
-def test_emf_accepts_the_five_metamodels(shared: Path) -> None:
+def test_emf_accepts_the_five_metamodels() -> None:
     require_tools("java", "javac")
     if missing := [jar.name for jar in JARS if not jar.exists()]:
         pytest.skip(f"not installed: {', '.join(missing)} (Debian: libeclipse-emf-*-java)")
-    command: list[str | Path] = ["sh", shared / "emf" / "check.sh", *(FOLDER / f"{name}.ecore" for name in BUILT_IN)]
+    command: list[str | Path] = ["sh", ROOT / "tests" / "emf" / "check.sh", *(FOLDER / f"{name}.ecore" for name in BUILT_IN)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout == "OK metamodel\n"

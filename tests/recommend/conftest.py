@@ -48,9 +48,9 @@ def history(tmp_path: Path) -> History:
 
 
 @pytest.fixture(scope="session")
-def data(shared_facts: Path) -> Labelled:
+def data() -> Labelled:
     """The labelled queries with their judge."""
-    return labelled(shared_facts)
+    return labelled()
 
 
 @pytest.fixture(scope="session")

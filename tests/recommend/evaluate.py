@@ -1,6 +1,6 @@
-"""The evaluation of the rankers: `python -m tests.recommend.evaluate [-v]` prints the figures, the paper's formula beside ours.
+"""The evaluation of the rankers: `python -m tests.recommend.evaluate [--seconds]` prints the figures of the formula and of ours.
 
-On the labelled development queries, judged by the `score.py` that lies beside them: the paper's ranker, and ours as shipped,
+On the labelled parts of tests/evaluation: the paper's ranker, and ours as shipped,
 without the model numbers and trade names of its tables, and without the tables. The confidence is measured by
 cross-validation over queries (five folds): Brier score and reliability. With --seconds also the time of a query.
 """
@@ -84,8 +84,6 @@ def main(arguments: list[str]) -> int:
         print(row(view, figures) + (f"  {seconds * 1000:.1f} ms" if "--seconds" in arguments else ""))
         if view == VIEWS[0]:
             missed = [f"{name} {figures[name]:.3f} < {goal}" for name, goal in GOALS.items() if figures[name] < goal]
-            if "-v" in arguments:
-                print(*figures["wrong"].values(), sep="\n")
     print(f"\ndecision and confidence fitted on other queries ({FOLDS} folds)")
     found = samples(data)
     for view in VIEWS:

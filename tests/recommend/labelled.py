@@ -1,15 +1,12 @@
-"""The labelled development queries that lie beside the checkout, the judge that goes with them, and the rankers compared.
+"""The labelled parts of tests/evaluation as queries, judged, and the rankers compared.
 
 Shared by the evaluation command, the fitting of the decision model and the tests. Nothing here is known to the product.
 """
 
 from __future__ import annotations
 
-import importlib.util
-import json
+from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 from msgspec.structs import replace
@@ -19,8 +16,7 @@ from robosmi.recommend.decision import DecisionModel
 from robosmi.recommend.device_ranker import DeviceRanker
 from robosmi.recommend.ranking import Recommendation
 from robosmi.transformations.knowledge.libraries.library_ranking import device_ranker
-
-FOLDER = Path(__file__).resolve().parents[2].parent / "shared" / "arduino-libraries"
+from tests.evaluation.scoring.queries import Grades, component, labelled_queries, score
 
 VIEWS = ("as shipped", "model numbers and trade names left out of the lexicon", "no lexicon at all")
 """Views of a part that the ranker gets: everything; its kind only, as if no table named it; nothing but the index."""
@@ -28,35 +24,26 @@ VIEWS = ("as shipped", "model numbers and trade names left out of the lexicon", 
 
 @dataclass(frozen=True)
 class Labelled:
-    """The queries and their judge."""
+    """The queries and what their labels stand for."""
 
     queries: list[dict[str, Any]]
     components: list[ComponentQuery]
-    judge: ModuleType
-    index: Any
+    judge: Grades
 
     def grades(self, number: int) -> dict[str, int]:
         """Library -> grade of the query of that number."""
         query = self.queries[number]
-        return self.index.grades(query) if query["class"] != "none" else {}
+        return self.judge.of(query) if query["class"] != "none" else {}
 
-    def score(self, answers: list[Recommendation], numbers: list[int] | None = None) -> dict[str, Any]:
-        """The judge's figures for the answers to all queries, or to those of these numbers."""
-        queries = self.queries if numbers is None else [self.queries[n] for n in numbers]
-        document = {"result": {"recommendations": [answer.to_json() for answer in answers]}}
-        figures: dict[str, Any] = self.judge.score(document, queries, self.index)
-        return figures
+    def score(self, answers: Sequence[Recommendation], numbers: list[int] | None = None) -> dict[str, float]:
+        """The figures for the answers to all queries, or to those of these numbers."""
+        return score(answers, self.queries if numbers is None else [self.queries[n] for n in numbers], self.judge)
 
 
-def labelled(folder: Path = FOLDER) -> Labelled:
-    """Read queries and judge."""
-    spec = importlib.util.spec_from_file_location("shared_score", folder / "score.py")
-    assert spec is not None
-    assert spec.loader is not None
-    judge = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(judge)
-    queries = json.loads((folder / "queries-dev.json").read_text(encoding="utf-8"))
-    return Labelled(queries, [ComponentQuery.from_json(q) for q in judge.components(queries)], judge, judge.Index())
+def labelled() -> Labelled:
+    """Read the queries."""
+    queries = labelled_queries()
+    return Labelled(queries, [component(q) for q in queries], Grades())
 
 
 def ranker(view: str = VIEWS[0], model: DecisionModel | None = None, architecture: str = "avr") -> DeviceRanker:

@@ -74,11 +74,15 @@ def _recorded(to_xmi: Write) -> Write:
         written = to_xmi(models, names, places, schema_locations)
         folder = os.environ.get(FOLDER)
         if folder and os.path.isdir(folder):
+            from robosmi.errors import ModelError
+
             known = {n: text for n, (roots, text) in last.items() if n not in written and roots is models.get(n)}
             last.clear()
             last.update((n, (models[n], text)) for n, text in {**known, **written}.items())
             try:
                 _keep(Path(folder), to_xmi, models, written, known)
+            except ModelError:  # a file beside it refers further than is known here
+                pass
             except OSError as error:
                 if error.errno not in (errno.EFBIG, errno.ENOSPC):  # a test of a full disk
                     raise

@@ -24,8 +24,8 @@ ANY_GEN: Any = Gen
 @pytest.mark.parametrize(
     ("make", "what"),
     [
-        (lambda: ANY_FAIL("x", fix=FIX), "'fix=' of a Fail is a value"),
-        (lambda: ANY_FAIL("x", fixes=[FIX]), "'fixes=' of a Fail is a value"),
+        (lambda: ANY_FAIL("x", fix=FIX), "'fix=' of a Fail is an extra value"),
+        (lambda: ANY_FAIL("x", fixes=[FIX]), "'fixes=' of a Fail is an extra value"),
         (lambda: ANY_FAIL("x", lambda: 3), "not a function"),
         (lambda: ANY_FAIL("x", "rename"), "not a str"),
     ],
@@ -33,7 +33,7 @@ ANY_GEN: Any = Gen
 def test_a_fix_that_would_not_be_offered_is_refused(make: Callable[[], object], what: str) -> None:
     with pytest.raises(UsageError, match=what) as refused:
         make()
-    assert "each fix behind the message" in str(refused.value.fix)
+    assert "each fix after the message" in str(refused.value.fix)
 
 
 def test_a_fix_behind_the_message_is_offered_and_values_are_kept() -> None:

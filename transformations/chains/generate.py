@@ -17,7 +17,13 @@ from robosmi.transformations.m2m.plan_tasks import settle
 
 
 def generate(
-    plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False, bench: bool = False
+    plan: str | Path,
+    output: str | Path,
+    *,
+    dry_run: bool = False,
+    strict: bool = False,
+    bench: bool = False,
+    report_only: bool = False,
 ) -> Generated:
     """Make the sketch of a stored plan.
 
@@ -27,6 +33,7 @@ def generate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         bench: make a sketch that tries one component at a time, too, also where the plan does not ask for it.
+        report_only: as for `produce`.
 
     Raises:
         SourceError: the plan or a file beside it cannot be read, or does not match its digest.
@@ -45,7 +52,7 @@ def generate(
         models = load_models(Path(plan))
         models.plan.bench = models.plan.bench or bench
         _bring_in_line(models)
-        return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
+        return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict, report_only=report_only)
 
 
 def _loaded(plan: Path, dry_run: bool) -> MigrationModels:

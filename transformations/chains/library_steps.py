@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from robosmi.metamodels import migration, platform
 from robosmi.plugins import content
-from robosmi.project import default_text
+from robosmi.project import Project, default_text
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
 from robosmi.transformations.chains.stages.choice_history import choice_history
@@ -14,11 +14,16 @@ from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import UserLibraries, decide_libraries
 
 
-def ranker(target: TargetFacts) -> Ranker | None:
-    """The ranker of libraries; None for a target without libraries."""
+def make_ranker(target: TargetFacts, ranker_name: str | None, settings: Project) -> Ranker | None:
+    """The ranker of libraries: the one that is named, the project file's, or the default; None for a target without libraries.
+
+    Raises:
+        UsageError: there is no ranker of that name.
+    """
     if not target.libraries:
         return None
-    made: Ranker = content("ranker", default_text("rank", "ranker"))(target.libraries, architecture=target.architecture)
+    name = ranker_name or settings.ranker or default_text("rank", "ranker")
+    made: Ranker = content("ranker", name)(target.libraries, architecture=target.architecture)
     return made
 
 

@@ -27,7 +27,7 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.library_steps import library_decisions, previous_choices, ranker
+from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
 from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
@@ -73,7 +73,7 @@ def migration_chain() -> Chain:
     A step can be replaced by its name (`Chain.replace`) with a function of whatever values it needs that returns the same.
     """
     chain = Chain(None, "migrate")
-    chain.given(*GIVEN, bench=False, stored=None)
+    chain.given(*GIVEN, ranker_name=None, bench=False, stored=None)
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(target, makes="target", step="look up the target")
     chain.call(source_api, makes="api", step="look up the source platform")
@@ -82,7 +82,7 @@ def migration_chain() -> Chain:
     chain.call(drawing, makes="drawing", step="read the drawing")
     chain.call(board, makes="board", step="look up the board")
     chain.call(choices, makes="choices", step="collect the libraries that persons chose")
-    chain.call(ranker, makes="ranker", step="load the ranker")
+    chain.call(make_ranker, makes="ranker", step="load the ranker")
     chain.call(previous_choices, makes="earlier", step="open the history")
     chain.call(ports, makes="ports", step="follow the program's ports")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
@@ -284,6 +284,7 @@ def plan_migration(
     adapters: str | None = None,
     history: str | None = None,
     widths: str = FIX,
+    ranker: str | None = None,
     bench: bool = False,
     progress: Progress | None = None,
     chain: Chain | None = None,
@@ -303,6 +304,7 @@ def plan_migration(
         adapters: `filled` or `placeholders`; what the defaults say if None.
         history: place of earlier choices, a file or a URL; the user's own if None.
         widths: `fix` writes the text so that numbers keep the widths of the source, `keep` leaves it as it is.
+        ranker: name of the ranker of libraries; the project file's, or else what the defaults say, if None.
         bench: make a sketch that tries one component at a time, too.
         progress: told of each step.
         chain: steps of one's own, which make `models` of what is given; `migration_chain()` if None.
@@ -314,7 +316,7 @@ def plan_migration(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench, stored=NOTHING,
+        history=history, widths=widths, bench=bench, ranker_name=ranker, stored=NOTHING,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         return run.value("models", MigrationModels)
@@ -342,6 +344,7 @@ def migrate(
     bind: Mapping[str, str] | None = None,
     history: str | None = None,
     widths: str = FIX,
+    ranker: str | None = None,
     bench: bool = False,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
@@ -358,7 +361,7 @@ def migrate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
-            widths, bench, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
+            widths, ranker, bench, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
         verify: compare what was made with the original at the end; the verdict is a finding of the plan.
@@ -375,7 +378,7 @@ def migrate(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench, stored=adopted.choices,
+        history=history, widths=widths, bench=bench, ranker_name=ranker, stored=adopted.choices,
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():
@@ -396,7 +399,13 @@ def migrate(
             "hardware": Path(hardware) if hardware is not None else None,
             "include_dirs": [Path(each) for each in include_dirs],
         }
-        told |= {"target": target, "source_platform": source_platform, "defines": list(defines), "adapters": adapters}
+        told |= {
+            "target": target,
+            "source_platform": source_platform,
+            "defines": list(defines),
+            "adapters": adapters,
+            "ranker": ranker,
+        }
         remember_sources(Path(output), models.plan, models.places, files, {**told, "widths": widths, "bench": bench})
     remember(made, history)
     return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made

@@ -27,6 +27,7 @@ from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import FOLDER, MigrationModels, stored_models
+from robosmi.transformations.chains.stages.stored_verdict import set_verdict, stored_verdict
 from robosmi.transformations.m2t import page_code, page_sections
 from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.program_files import REPORT
@@ -193,7 +194,10 @@ class PlanPage:
         self._held = models
         self._take_ticks(plan)
         texts = self._texts(plan.name)
-        picture = (Places(self.output).read(f"{FOLDER}/{PICTURE}") or b"").decode("utf-8", "replace")
+        said = stored_verdict(self.output, plan.name)
+        set_verdict(plan, said)
+        drawn = Places(self.output).read(f"{FOLDER}/{PICTURE}") or b""
+        picture = drawn.decode("utf-8", "replace") if said is not None and said.picture else ""
         values: dict[str, dict[str, Any]] = {
             "works": page_sections.works(plan, files, known),
             "decide": page_sections.decide(plan, files, str(self.output)),

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from robosmi.base.data_text import Json
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
+from robosmi.transformations.knowledge.board_models import not_simulated
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts, target_names
 from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchains.boards import load_boards
@@ -22,6 +23,8 @@ from robosmi.verify.toolchains.tools import find_installed
 
 AT_THE_PINS, COMPILED_ONLY, NOT_COMPILED = "simulated at the pins", "compiled only", "not compiled here"
 """What a target is proven by, the strongest first."""
+PROOFS = {AT_THE_PINS: "simulated", COMPILED_ONLY: "compiled", NOT_COMPILED: "none"}
+"""The same in one word, for programs."""
 
 
 class KnownTarget(NamedTuple):
@@ -33,6 +36,8 @@ class KnownTarget(NamedTuple):
         core: `installed`, `stand-in` or `missing`: what programs for it are compiled with.
         engine: the installed simulator that runs its programs; None if none does.
         missing: what to install for a stronger proof; empty if nothing is known.
+        full_name: of its board in the platform's tools; empty if it has none.
+        not_simulated: what of the board no simulator has; empty for nothing of note.
     """
 
     name: str
@@ -41,12 +46,15 @@ class KnownTarget(NamedTuple):
     core: str
     engine: str | None
     missing: str
+    full_name: str = ""
+    not_simulated: str = ""
 
     def to_json(self) -> dict[str, Json]:
         """The contract's form."""
         return {
             "name": self.name, "board": self.title, "proven_by": self.proven_by, "core": self.core, "engine": self.engine,
-            "missing": self.missing or None,
+            "missing": [self.missing] if self.missing else [], "title": self.title, "fqbn": self.full_name or None,
+            "proof": PROOFS[self.proven_by], "installed": self.core == "installed", "not_simulated": self.not_simulated or None,
         }  # fmt: skip
 
 
@@ -69,6 +77,8 @@ class TargetTable(NamedTuple):
             with_what = "stand-in for the core" if target.core == "stand-in" else ""
             more = ", ".join(filter(None, (target.engine, with_what)))
             found.append(f"{target.name:{width}}  {target.title:{titles}}  {target.proven_by}{f' ({more})' if more else ''}")
+            if target.not_simulated and target.proven_by == AT_THE_PINS:
+                found.append(f"{'':{width}}  not simulated: {target.not_simulated}")
             if target.missing and target.proven_by != AT_THE_PINS:
                 found.append(f"{'':{width}}  do: {target.missing}")
         return found
@@ -87,7 +97,20 @@ def targets(project: Path | None = None) -> TargetTable:
     tools = {name: _tools(toolchain) for name, toolchain in toolchains.items()}
     engines: list[Engine] = [content("engine", name)() for name in engine_names()]
     facts = [target_facts(name, project) for name in target_names(project)]
-    return TargetTable([_known(each, toolchains, tools, engines, project) for each in facts])
+    return TargetTable(
+        [
+            _known(each, toolchains, tools, engines, project)._replace(
+                full_name=_full_name(each), not_simulated=not_simulated(each.board, project)
+            )
+            for each in facts
+        ]
+    )
+
+
+def _full_name(facts: TargetFacts) -> str:
+    made = facts.model.platform
+    mappings = made.boardMappings if made is not None else ()
+    return next((str(mapping.boardId) for mapping in mappings if mapping.board is facts.board_model), "")
 
 
 def _tools(toolchain: Toolchain) -> str:

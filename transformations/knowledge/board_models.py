@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -34,11 +34,25 @@ CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts")
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
-_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
+_BOARD_KEYS = (
+    "name",
+    "title",
+    "mcu",
+    "f_cpu",
+    "volts",
+    "led",
+    "boot_loader",
+    "pins",
+    "buses",
+    "not_simulated",
+    "drawn_as",
+    "drawn_chips",
+    "drawn_symbols",
+)
 _DRAWN_KEYS = {
     "drawn_as": ("tool", "modules", "connectors"),
     "drawn_chips": ("chips", "least_pins", "most_pins"),
-    "drawn_symbols": ("called",),
+    "drawn_symbols": ("called", "not"),
 }
 _BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
 _MAPPING_KEYS = (
@@ -81,6 +95,9 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         check_ports(pins, text_of(path), table, table_of(chip_file))
     shared = chip_file is not None and table_of(chip_file).flag("shared_channels", False)
     check_names(pins, table, shared)
+    if "buses" in table.values:  # the core may have them at other pins than those of the microcontroller's file
+        chip.buses.clear()
+        chip.buses.extend(_buses(table, [str(pin.port) for pin in pins]))
     labels = [pin.label for pin in pins]
     if (led := table.text("led", "")) and led not in labels:
         raise table.error("led", f"is '{led}', which is not a pin of this board{did_you_mean(led, labels)}")
@@ -168,7 +185,6 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
     table = table_of(path)
     check_keys(table, OF_MICROCONTROLLERS)
-    buses = table.table("buses", needed=False)
     uses = []
     for entry in table.tables("takes", needed=False):
         check_keys(entry, TAKES)
@@ -196,17 +212,43 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         totalMilliamperes=table.optional_number("total_ma") or 0,
         pinVolts=table.decimal("pin_volts") if "pin_volts" in table.values else 0.0,
         timers=[platform.Timer(name=t.text("name"), bits=t.number("bits")) for t in table.tables("timers")],
-        buses=[
-            platform.PinBus(name=bus, signals=list(lines.values), ports=[lines.text(signal) for signal in lines.values])
-            for bus in buses.values
-            if (lines := buses.table(bus))
-        ],
+        buses=_buses(table),
         uses=uses,
     )
 
 
+def _buses(table: DataTable, ports: Sequence[str] | None = None) -> list[platform.PinBus]:
+    """The buses of a file; of a board, at its own pins.
+
+    Raises:
+        PlatformDataError: a signal is at a port that none of the board's pins has.
+    """
+    found, said = [], table.table("buses", needed=False)
+    for bus in said.values:
+        lines = said.table(bus)
+        for signal in lines.values:
+            if ports is not None and lines.text(signal) not in ports:
+                raise lines.error(
+                    signal, f"is '{lines.text(signal)}', which no pin of this board has{did_you_mean(lines.text(signal), ports)}"
+                )
+        found.append(platform.PinBus(name=bus, signals=list(lines.values), ports=[lines.text(signal) for signal in lines.values]))
+    return found
+
+
 def _chip_file(name: str, project: Path | None) -> Path | None:
     return next((file for folder in folders(KIND, project) if (file := folder / "mcus" / f"{name}.toml").is_file()), None)
+
+
+def not_simulated(name: str, project: Path | None = None) -> str:
+    """What of a board no simulator has, as half a sentence; empty if its file names nothing."""
+    path = board_file(name, project)
+    return table_of(path).text("not_simulated", "") if path is not None else ""
+
+
+def architecture_of(mcu: str, project: Path | None = None) -> str:
+    """The architecture of a microcontroller; empty if nothing is known of it."""
+    path = _chip_file(mcu, project)
+    return table_of(path).text("architecture") if path is not None else ""
 
 
 def _signature(table: DataTable) -> str:
@@ -242,8 +284,9 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         _check_mapping(table, platform_name, board.name, project)
     literals = table.texts_by_name("literals") if table is not None else {}
     interrupts = table.numbers_by_name("interrupts") if table is not None else {}
+    numbers = table.numbers_by_name("numbers") if table is not None else {}
     labels = [pin.label for pin in board.pins]
-    for key, named in (("literals", list(literals)), ("interrupts", list(interrupts))):
+    for key, named in (("literals", list(literals)), ("interrupts", list(interrupts)), ("numbers", list(numbers))):
         for label in named:
             if table is not None and label not in labels:
                 raise table.error(f"{key}.{label}", f"is not a pin of this board{did_you_mean(label, labels)}")
@@ -265,7 +308,9 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         ramBytes=table.positive("ram_bytes") if table is not None else chip.ramBytes if chip is not None else 0,
         pinNames=[
             platform.PinName(
-                pin=pin, literal=literals.get(pin.label) or _literal(pin, rules), interrupt=interrupts.get(pin.label, -1)
+                pin=pin,
+                literal=literals.get(pin.label) or _numbered(pin, rules, numbers),
+                interrupt=interrupts.get(pin.label, -1),
             )
             for pin in board.pins
         ],
@@ -334,6 +379,12 @@ def _literal(pin: platform.Pin, rules: list[DataTable]) -> str:
         if match := re.fullmatch(rule.text(key), str(said)):
             return match.expand(rule.text("literal"))
     return str(pin.label)
+
+
+def _numbered(pin: platform.Pin, rules: list[DataTable], numbers: Mapping[str, int]) -> str:
+    """How a program writes a pin; the core's number of the pin goes before a number that a rule makes of its label."""
+    literal = _literal(pin, rules)
+    return str(numbers[pin.label]) if pin.label in numbers and literal.isdecimal() else literal
 
 
 def mapped_boards(platform_name: str, project: Path | None = None) -> list[str]:

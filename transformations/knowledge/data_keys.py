@@ -13,12 +13,12 @@ TARGET = (
 )  # fmt: skip
 """Keys of the table `[target]`."""
 OF_TARGETS = (
-    "name", "title", "language", "charSigned", "hasCogs", "intBits", "longBits", "pointerBits", "doubleBits",
+    "name", "title", "language", "charSigned", "losesLevel", "hasCogs", "intBits", "longBits", "pointerBits", "doubleBits",
     "architecture", "core", "core_name", "include", "pin_functions", "standard_headers", "own_headers", "board_keys",
     "board_architectures", "pin_literals", "target", "widths", "wider_names", "cores", "architectures",
 )  # fmt: skip
 """Keys in the `platform.toml` of a target platform."""
-OF_ARCHITECTURES = ("charSigned", "intBits", "longBits", "pointerBits", "doubleBits", "widths", "wider_names")
+OF_ARCHITECTURES = ("losesLevel", "charSigned", "intBits", "longBits", "pointerBits", "doubleBits", "widths", "wider_names")
 """Keys of a table `[architectures.NAME]` of a target platform."""
 OF_SOURCES = tuple(PlatformSettings.__annotations__)
 """Keys in the `platform.toml` of a source platform; a platform may be both."""

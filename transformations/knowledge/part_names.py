@@ -24,6 +24,7 @@ from robosmi.transformations.knowledge.wildcards import fits
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
 _WORD = re.compile(r"[^\W_]+")
 _LONGEST = 4
+_SHORT_NAME = 2
 _LONGEST_PHRASE = 40
 _LONGEST_TEXT = 400  # letters: a title is short, whatever a damaged file says
 _OHMS = re.compile(r"\d+(?:[.,]\d+)?\s*(?:[kKM]\d*\s*(?:[oO]hms?|[\u03a9\u2126R])?|[oO]hms?|[\u03a9\u2126R]\d*)")
@@ -106,6 +107,7 @@ class PartNames(Struct, frozen=True):
     transistors: tuple[str, ...] = ()
     transistor_numbers: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
+    header_families: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = {}
     joined: tuple[JoinedPins, ...] = ()
@@ -136,6 +138,16 @@ def connector_kind(name: str, known: PartNames) -> str:
         if word in known.names[kind]:
             return kind
     return "unknown" if word in known.names["idle"] or _NUMBERED.fullmatch(word) else "signal"
+
+
+def rail_named(net: str, known: PartNames) -> str:
+    """The kind of rail (supply, ground) that the name of a net says, or an empty text.
+
+    Names of one or two letters say nothing: `G` may be a segment of a display, `VS` a signal.
+    """
+    kind, name = connector_kind(net, known), net.strip().strip("+-")
+    telling = len(name) > _SHORT_NAME or any(letter.isdigit() for letter in name)
+    return kind if kind in ("supply", "ground") and telling else ""
 
 
 def conditional_signals(of_part: Iterable[str], known: PartNames) -> frozenset[str]:
@@ -246,6 +258,7 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         transistors=drawn.texts("transistors", ()),
         transistor_numbers=drawn.texts("transistor_numbers", ()),
         headers=drawn.texts("headers", ()),
+        header_families=drawn.texts("header_families", ()),
         solder_jumpers=drawn.texts("solder_jumpers", ()),
         symbols={means: symbols.texts(means) for means in symbols.values},
         joined=tuple(

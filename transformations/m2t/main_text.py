@@ -1,4 +1,4 @@
-"""`main` as the target's `setup` and `loop` (paper 4, RQ1: what is outside the endless loop runs once, its body is repeated).
+"""`main` as the target's `setup` and `loop` (paper 5.3, RQ1: what is outside the endless loop runs once, its body is repeated).
 
 The plan's dispositions say how main is divided: the loop with the rule `main-loop` becomes `loop`, and hoisted locals are put
 above. Without such a loop the whole body stays in `setup`. Comments between the parts stay with the part that follows, those
@@ -164,11 +164,17 @@ def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) ->
 
 
 def _setup(plan: migration.MigrationPlan) -> list[str]:
-    """The first statements of `setup`: rest levels of pins (level before direction: nothing moves), then adapters'."""
-    levels = []
+    """The first statements of `setup`: rest levels of pins (level before direction: nothing moves), then adapters'.
+
+    A high level that the core may lose is written once more.
+    """
+    levels, loses = [], plan.target is not None and bool(plan.target.losesLevel)
     for connection in rest_levels(plan):
-        levels.append(f"digitalWrite({connection.name}, {connection.restLevel.upper()});  // {_idle(connection)}\n")
+        write = f"digitalWrite({connection.name}, {connection.restLevel.upper()});"
+        levels.append(f"{write}  // {_idle(connection)}\n")
         levels.append(f"pinMode({connection.name}, OUTPUT);\n")
+        if loses and connection.restLevel == "high":
+            levels.append(f"{write}\n")
     return [*levels, *(f"{statement}\n" for statement in setup_statements(plan)), *_early_calls(plan)]
 
 

@@ -119,7 +119,7 @@ def _short(connection: migration.Connection) -> str:
 
 
 def _facts(library: platform.Library) -> str:
-    """The facts about a library as in the paper's figure 5: version, header, architectures, dependencies, resources."""
+    """The facts about a library: version, header, architectures, dependencies, resources."""
     facts = [
         f"version {library.version}" if library.version else "",
         f"<{next(iter(library.headers), '')}>" if library.headers else "",

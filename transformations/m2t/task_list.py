@@ -20,7 +20,7 @@ from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verd
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
-"""Kind of an adapter -> its notation in the paper (3.4)."""
+"""Kind of an adapter -> a notation for the words of the paper (5.3, RQ2)."""
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
 

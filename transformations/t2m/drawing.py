@@ -40,6 +40,7 @@ from robosmi.transformations.knowledge.part_names import (
     connector_kind,
     controls_supply,
     names,
+    rail_named,
 )
 from robosmi.transformations.knowledge.part_roles import classify, classify_by_id, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
@@ -197,13 +198,14 @@ class CircuitBuilder:
         found = self._ends.get(end)
         return found[0] if found is not None else None
 
-    def net(self, ends: Sequence[End], title: str = "") -> hardware.Net:
+    def net(self, ends: Sequence[End], title: str = "", by_name: bool = False) -> hardware.Net:
         """Add a net; whether it is a rail follows from its connectors.
 
         Args:
             ends: connectors of components that are placed, at least one, and none that is in another net: what two nets have in
                 common makes them one.
             title: the name that the drawing gives it, where it gives one.
+            by_name: whether a net that is called like a supply (`VIN`) is a rail, unless it is on a signal pin of a board.
 
         Raises:
             ModelError: an end is not there, or is in a net already: a fault of the reader.
@@ -218,6 +220,9 @@ class CircuitBuilder:
         terminals = [terminal for _, terminal in found]
         first = min(terminals, key=lambda t: (natural(t.component), natural(t.connector)))
         why = rail(terminals)
+        if why is None and by_name and not any(model.pin for model, _ in found) and (kind := rail_named(title, self.names)):
+            stated = title.strip() if _STATED.fullmatch(title.strip()) else ""
+            why = Rail(f"the net is called '{title}'", "GND" if kind == "ground" else stated)
         net = hardware.Net(
             name=f"{first.component}.{first.connector}",
             title=title,

@@ -35,10 +35,14 @@ from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
+from robosmi.transformations.t2m.schematic_headers import HeaderPin, why_no_part, words_of
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
 _LEAST_PORTS = 3
+_BUS_LINES = frozenset(
+    {"MOSI", "MISO", "SCK", "SCLK", "COPI", "CIPO", "SS", "CS", "SDA", "SCL", "RX", "TX", "RXD", "TXD", "RXI", "TXO"}
+)
 _NUMBERED = ("N$", "Net-(", "unconnected-(")
 """Prefixes of the names that tools give to nets without a name."""
 
@@ -113,9 +117,17 @@ class _Making:
         for net in drawn.nets:
             for end in net.ends:
                 self.used.setdefault(end.component, {}).setdefault(end.connector, []).append(net.name)
+        self.nets_of: dict[End, list[SchematicNet]] = {}
+        for net in drawn.nets:
+            for end in net.ends:
+                self.nets_of.setdefault(end, []).append(net)
         self.chips: dict[str, tuple[str, int]] = {}
         self.boards: dict[tuple[str, ...], DrawnBoard | None] = {}
-        self.known: dict[str, tuple[str, KnownPart]] = {part.identity: self._known(part) for part in drawn.parts}
+        self.parts = {part.identity: part for part in drawn.parts}
+        self.headers = {part.identity for part in drawn.parts if self._is_header(part)}
+        self.known: dict[str, tuple[str, KnownPart]] = {}
+        for part in sorted(drawn.parts, key=lambda each: each.identity in self.headers):  # headers depend on what they lead to
+            self.known[part.identity] = self._known(part)
         if (odd := next((end for net in drawn.nets for end in net.ends if end.component not in self.known), None)) is not None:
             guess = did_you_mean(odd.component, self.known)
             raise builder.fault(f"names the end '{odd.component}.{odd.connector}', but has no part '{odd.component}'{guess}")
@@ -151,7 +163,7 @@ class _Making:
             return replace(found, buses=self._joined(part)), board, False
         if (chip := self._chip(part)) and part.identity not in self.chips:
             return replace(found, role="Board", evidence=f"a bare {chip}, which runs a program"), None, False
-        if self._called(part, self.builder.names.headers):
+        if part.identity in self.headers:
             return self._header(part, found)
         if part.value:
             device = classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)
@@ -236,26 +248,72 @@ class _Making:
         ports = sum(bool(port_of(name)) for name in part.pins.values())
         return chip_named((part.value, part.symbol)) if ports >= _LEAST_PORTS else ""
 
+    def _is_header(self, part: SchematicPart) -> bool:
+        """Whether a part is a header, a terminal or a socket, whose other side is not drawn."""
+        if part.power or not part.pins:
+            return False
+        if self._called(part, self.builder.names.headers):
+            return True
+        if not any(fits(part.family.lower(), pattern) for pattern in self.builder.names.header_families):
+            return False
+        drawn = Part(part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, description=part.description)
+        return classify(replace(drawn, tool=self.builder.tool), self.project).role in ("Passive", "Unknown")
+
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
-        if part.value:
-            device = classify(Part(part.listed_as, part.value, tool=self.builder.tool), self.project)
-            if device.role in ("Input", "Output", "Both"):
-                evidence = f"a header for '{part.value}': {device.evidence}"
-                return (
-                    replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),
-                    None,
-                    False,
-                )
+        for text, what, own in ((part.value, "for", False), (part.title, "labelled", True)):
+            device = classify(Part(part.listed_as, text, tool=self.builder.tool), self.project)
+            if text and device.role in ("Input", "Output", "Both"):
+                evidence = f"a header {what} '{text}': {device.evidence}"
+                told = replace(found, title=text, family="", role=device.role, driver=device.driver, evidence=evidence)
+                return told, None, own
         nets = [name for names in self.used.get(part.identity, {}).values() for name in names]
-        told = [
+        signals = [
             n for n in dict.fromkeys(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"
         ]
-        title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
-        return (
-            replace(found, title=title, family="", description="", evidence="a header without a drawn device"),
-            None,
-            True,
+        title = part.value or ", ".join(signals[:_NET_NAMES]) or part.symbol
+        found = replace(found, title=title, family="", description="", evidence="a header without a drawn device")
+        if why := why_no_part([self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())]):
+            self.report(
+                "RS259", Severity.info, f"the header '{part.title}' counts as no part: {why}", part.line,
+                "give its role in robosmi.toml under [roles] if a part is plugged in there",
+            )  # fmt: skip
+            found = replace(found, family="header", role="Passive", evidence=f"{found.evidence}: {why}")
+        return found, None, True
+
+    def _header_pin(self, pin: End) -> HeaderPin:
+        """What is on a pin of a header; the other parts are known by now, other headers need not be."""
+        nets = self.nets_of.get(pin, ())
+        ends = [end for net in nets for end in net.ends if end != pin and end.component not in self.headers]
+        boards = [end for end in ends if end.component in self.known and self._role(end) == "Board"]
+        labels = [label for end in boards if (label := self._label(end))]
+        names = [self.parts[end.component].pins.get(end.connector, end.connector) for end in boards]
+        kinds = [connector_kind(text, self.builder.names) for text in (*names, *(net.name for net in nets))]
+        return HeaderPin(
+            pins=labels,
+            named=any(self._names_pin(net.name, end) for net in nets for end in boards if self._label(end)),
+            bus=any(words_of(net.name) & _BUS_LINES for net in nets),
+            words=words_of(*names, *(net.name for net in nets)),
+            supply=not labels
+            and (any(kind in ("supply", "ground") for kind in kinds) or any(self.parts[e.component].power for e in ends)),
+            device=any(self._role(end) in ("Input", "Output", "Both", "Unknown") for end in ends),
         )
+
+    def _role(self, end: End) -> str:
+        """The role of the part that has an end, empty if it is not known yet."""
+        return self.known[end.component][1].part.role if end.component in self.known else ""
+
+    def _label(self, end: End) -> str:
+        """The label of a board's pin, empty for other connectors."""
+        known = self.known[end.component][1]
+        name = self.parts[end.component].pins.get(end.connector, end.connector)
+        return known.board.pins.get(end.connector, "") if known.board is not None else normalised_label(name, known.numbered)
+
+    def _names_pin(self, net: str, pin: End) -> bool:
+        """Whether a net is named like the board's pin that is on it: by its label, or by its port."""
+        if net.startswith(_NUMBERED):
+            return False
+        port = port_of(self.parts[pin.component].pins.get(pin.connector, pin.connector))
+        return self._label(pin) in (normalised_label(net), *words_of(net)) or (port != "" and port == port_of(net))
 
     # ---- the model
 
@@ -281,7 +339,7 @@ class _Making:
             if net.ends and net.name and not net.name.startswith(_NUMBERED):
                 end = net.ends[0]
                 titles.setdefault(joined.find((end.component, self.known[end.component][1].leader(end.connector))), net.name)
-        nets = {root: self.builder.net(members, titles.get(root, "")) for root, members in groups.items()}
+        nets = {root: self.builder.net(members, titles.get(root, ""), by_name=True) for root, members in groups.items()}
         for number, net in enumerate(self.drawn.nets, 1):
             if len(net.ends) > 1:
                 end = net.ends[0]
@@ -378,6 +436,7 @@ LEAST_PINS = 6
 
 _SPELLED = re.compile(r"[^a-z0-9]+")
 _OVERLINE = re.compile(r"[!*~{}]")
+_ANALOG_INPUT = re.compile(r"(?<![A-Z0-9])AIN ?([0-9]{1,2})(?![0-9])")
 _COUNTED = re.compile(r"@[0-9A-Z]*$|\.[0-9]+$")
 
 
@@ -405,7 +464,7 @@ def drawn_symbol(
             table = table_of(path)
             check_drawn(table)
             for entry in table.tables("drawn_symbols", needed=False):
-                if not any(fits(called, pattern.lower()) for pattern in entry.texts("called")):
+                if not _any_fits(called, entry.texts("called")) or _any_fits(called, entry.texts("not", ())):
                     continue
                 pins = labelled_pins(table, connectors)
                 if len(pins) >= least:
@@ -413,13 +472,24 @@ def drawn_symbol(
     return None
 
 
+def _any_fits(called: str, patterns: Iterable[str]) -> bool:
+    return any(fits(called, pattern.lower()) for pattern in patterns)
+
+
 def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, str]:
     """Connector -> label of the board's pin, for connectors whose names say one."""
     pins = table.tables("pins")
     labels = {pin.text("label") for pin in pins}
     aliases = {alias: pin.text("label") for pin in pins for alias in pin.texts("aliases", ())}
-    found = ((connector, _label(name, labels, aliases)) for connector, name in connectors.items())
-    return {connector: label for connector, label in found if label}
+    found = {connector: _label(name, labels, aliases) for connector, name in connectors.items()}
+    told = {connector: label for connector, label in found.items() if label}
+    given = {*told.values()}
+    for connector, name in connectors.items():
+        if not found[connector] and (analog := _ANALOG_INPUT.search(name.upper())) is not None:
+            label = f"A{int(analog[1])}"
+            if label in labels - given:  # beside A0 it is an input of the comparator
+                told[connector] = label
+    return told
 
 
 def _label(name: str, labels: set[str], aliases: Mapping[str, str]) -> str:

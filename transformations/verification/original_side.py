@@ -25,7 +25,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import Boun
 from robosmi.transformations.verification.bound_devices.simulated_kinds import SimulatedKind, device_facts
 from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, moved_devices, put_down_anywhere
 from robosmi.transformations.verification.rest_comparison import observed_rests
-from robosmi.transformations.verification.stored_bytes import STORED, stored_events
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, stored_events
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
@@ -134,7 +134,7 @@ class SourceRuns(Struct, frozen=True):
         return [
             name
             for name, seen in self.channels.items()
-            if name != STORED and compared(name, seen, [own for own, *_ in seen], horizon, self.loop).status == RACY
+            if name != EEPROM_CHANNEL and compared(name, seen, [own for own, *_ in seen], horizon, self.loop).status == RACY
         ]
 
 
@@ -169,7 +169,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         pins = [port.target if target else port.source for port in wheels]
         found[f"{' and '.join(port.title for port in wheels)}{STANDING}"] = [_standing(trace, pins)]
     found[CONSOLE_CHANNEL] = [console_lines(trace, measures)]
-    found[STORED] = [stored_events(trace)]
+    found[EEPROM_CHANNEL] = [stored_events(trace)]
     return found
 
 

@@ -13,10 +13,13 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.verification.stubs import Stubs
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.original_build import VARIANT, OriginalProgram, build_original
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
+
+_CALLED = re.compile(r"\b(\w+)\s*\(")
 
 
 def original_program(
@@ -28,6 +31,7 @@ def original_program(
     *,
     only: Collection[Path] | None = None,
     trusted: bool = False,
+    stubs: Stubs | None = None,
 ) -> OriginalProgram:
     """Compile and link a program (see `build_original`), with headers of its platform that have no model.
 
@@ -38,14 +42,18 @@ def original_program(
         include_folders: where headers of the program are looked for.
         limit_s: seconds of this machine's time for all of it.
         only, trusted: as for `build_original`.
+        stubs: functions and missing headers that may be stubbed.
 
     Raises:
         MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size; or the
             system has no sandbox.
         VerificationError: the program does not compile or link, or that takes too long.
     """
-    headers = stand_in_headers(sources, model, include_folders)
-    return build_original(sources, model, folder, include_folders, headers, limit_s, only=only, trusted=trusted)
+    stubs = stubs or Stubs()
+    headers = {**stubs.headers, **stand_in_headers(sources, model, include_folders)}
+    return build_original(
+        sources, model, folder, include_folders, headers, limit_s, only=only, trusted=trusted, stubs=stubs.functions
+    )
 
 
 def written_sources(units: Iterable[ccode.SourceUnit], files: Mapping[str, bytes], place: Path) -> list[Path]:
@@ -82,8 +90,12 @@ def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders:
     """Stand-ins for headers of the platform that a program includes and the host model lacks: name -> text."""
     index = ApiIndex.load(model.platform)
     wanted = _included(sources, include_folders)
-    own = {path.relative_to(folder).as_posix() for folder in model.headers for path in folder.rglob("*.h")}
-    return {name: _stand_in(name, index) for name in index.closure(sorted(wanted)) if name not in own}
+    own = {path.relative_to(folder).as_posix(): path for folder in model.headers for path in folder.rglob("*.h")}
+    lacking = [name for name in index.closure(sorted(wanted)) if name not in own]
+    if not lacking:
+        return {}
+    taken = {name for path in own.values() for name in _CALLED.findall(inputs.read_text(path, inputs.DATA))}
+    return {name: _stand_in(name, index, taken) for name in lacking}
 
 
 def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[str]:
@@ -103,11 +115,18 @@ def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[s
     return found
 
 
-def _stand_in(header: str, index: ApiIndex) -> str:
+def _stand_in(header: str, index: ApiIndex, taken: Collection[str]) -> str:
+    """The text of a stand-in.
+
+    Args:
+        header: its name.
+        index: what the platform declares.
+        taken: what headers of the model declare: a function of that name there is another one.
+    """
     lines = ['#include "host.h"', *(f"#include <{name}>" for name in index.includes(header))]
     for name, entry in index.declared(header).items():
         if entry.kind == "function":  # the call declares it; the macro tells it from another header's
-            if len({each.header for each in index.entries(name)}) > 1:
+            if name in taken or len({each.header for each in index.entries(name)}) > 1:
                 lines.append(f"#define {name} {name}{VARIANT}{_word(header)}")
             continue
         if entry.kind == "type":

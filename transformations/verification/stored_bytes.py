@@ -20,7 +20,7 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.activity import LINE, ActivityEvent
 
-STORED = "what the program stores in the EEPROM"
+EEPROM_CHANNEL = "what the program stores in the EEPROM"
 """Name of the channel."""
 _BYTE_US = 3_500.0
 """The longest that an AVR takes for a byte, in microseconds, with a call of its function (data sheets: 3.4 ms)."""
@@ -37,7 +37,7 @@ def stored_events(trace: PinTrace) -> list[ActivityEvent]:
     return found
 
 
-def can_be_told(model: HostModel, ports: Sequence[BoundPort]) -> bool:
+def is_comparable(model: HostModel, ports: Sequence[BoundPort]) -> bool:
     """Whether all that the source writes into the memory comes from functions that store, none from the program's own bus."""
     return model.store is not None and not any(port.source in model.store_pins for port in ports)
 

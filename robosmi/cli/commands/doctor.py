@@ -85,7 +85,7 @@ PACKAGES = {
     "libclang": ("clang.cindex:conf.lib", "reading C sources"),
     "lxml": ("lxml.etree", "reading drawings, XMI"),
     "jinja2": ("jinja2.sandbox", "generating text"),
-    "networkx": ("networkx", "connector mapping"),
+    "networkx": ("networkx", "running chains, comparing graphs"),
     "filelock": ("filelock:FileLock", "writing into output folders"),
     "sexpdata": ("sexpdata", "reading drawings"),
     "tomlkit": ("tomlkit", "saving choices in robosmi.toml"),

@@ -54,6 +54,7 @@ def configure(parser: Options) -> None:
         "--widths", choices=("fix", "keep"), default="fix",
         help="fix: numbers keep their widths of the source; keep: leave the types unchanged and report where it may matter",
     )  # fmt: skip
+    parser.add_argument("--ranker", metavar="NAME", help="ranker of libraries: devices (default), or tfidf, the paper's")
     parser.add_argument(
         "--history", metavar="PLACE", help="file or SQLAlchemy URL of the library history (default: the user's own)"
     )
@@ -83,6 +84,7 @@ class _Arguments(argparse.Namespace):
     adapters: str | None
     widths: str
     history: str | None
+    ranker: str | None
     bench: bool
     dry_run: bool
     yes: bool
@@ -106,7 +108,7 @@ def run(arguments: _Arguments) -> Report:
             source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
-            widths=arguments.widths, bench=arguments.bench, verify=arguments.verify,
+            widths=arguments.widths, ranker=arguments.ranker, bench=arguments.bench, verify=arguments.verify,
             ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
             outside=(lambda: answers.offer(beside)) if answers and not arguments.dry_run else None,
         )  # fmt: skip

@@ -66,8 +66,8 @@ def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, 
 
     def go_on() -> None:
         sys.stdout.flush()
-        if browser:
-            webbrowser.open_new_tab(server.url)
+        if browser and not webbrowser.open_new_tab(server.url):
+            print(f"no browser can be started here: open {server.url} in one", file=sys.stderr, flush=True)
         try:
             server.serve_forever()
         except KeyboardInterrupt:

@@ -45,7 +45,7 @@ def run(arguments: _Arguments) -> Report:
     done: RankedLibraries = content("chain", "recommend")(
         arguments.sketch,
         components=arguments.components,
-        ranker=arguments.ranker,
+        ranker=arguments.ranker or project.ranker,
         roles=project.roles,
         history=arguments.history,
     )

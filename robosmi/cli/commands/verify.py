@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from robosmi.cli.options import Options
 
 
+MOST_S = 3600.0
+"""The most seconds that a person may ask for."""
+
+
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate")
@@ -24,6 +28,14 @@ def configure(parser: Options) -> None:
     )  # fmt: skip
     parser.add_argument("--engine", metavar="NAME", help="simulator (default: the first that is installed)")
     parser.add_argument("--seed", metavar="N", type=int, default=1, help="seed of the scenario search (default: 1)")
+    parser.add_argument(
+        "--budget", metavar="SECONDS", type=_seconds,
+        help="search for scenarios for at most so long (default: 240 s of work, at most 720 s by the clock)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--horizon", metavar="SECONDS", type=_horizon,
+        help="let scenarios last at most so long, and the one without inputs whole (default: what the program needs, up to 48 s)",
+    )  # fmt: skip
     parser.add_argument("--trust-original", action="store_true", help="run the original even without a sandbox")
     parser.add_argument(
         "--require-coverage", metavar="PERCENT", type=_percent,
@@ -40,6 +52,22 @@ def _percent(text: str) -> float:
     return value
 
 
+def _seconds(text: str) -> float:
+    """A number of seconds that is not negative."""
+    value = float(text)
+    if not 0 <= value <= MOST_S:
+        raise argparse.ArgumentTypeError(f"'{text}' is not from 0 to {MOST_S:g}")
+    return value
+
+
+def _horizon(text: str) -> float:
+    """A number of seconds that a scenario may last."""
+    value = float(text)
+    if not 1 <= value <= MOST_S:
+        raise argparse.ArgumentTypeError(f"'{text}' is not from 1 to {MOST_S:g}")
+    return value
+
+
 class _Arguments(argparse.Namespace):
     """The options and arguments of the command."""
 
@@ -47,6 +75,8 @@ class _Arguments(argparse.Namespace):
     scenarios: list[Path]
     engine: str | None
     seed: int
+    budget: float | None
+    horizon: float | None
     trust_original: bool
     require_coverage: float | None
     vcd: Path | None
@@ -60,6 +90,8 @@ def run(arguments: _Arguments) -> Report:
     done: ComparedPrograms = content("chain", "verify")(
         arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd,
         trust_original=arguments.trust_original,
+        horizon_ms=None if arguments.horizon is None else 1000 * arguments.horizon,
+        **({} if arguments.budget is None else {"budget_s": arguments.budget, "clock_s": arguments.budget}),
     )  # fmt: skip
     report.ok, report.failure_code = done.exit_code == 0, done.exit_code
     report.result, report.findings = done.result, list(done.findings)
@@ -69,5 +101,7 @@ def run(arguments: _Arguments) -> Report:
         report.lines.append(
             f"too little was compared: --require-coverage asks for every output and {arguments.require_coverage:g} % of the lines"
         )
+    report.lines += [f"picture of both programs: {path}" for path, kind in done.written if kind == "picture"]
+    report.lines += done.notes
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

@@ -111,7 +111,8 @@ class MetamodelReader:
         before = [(owner, name, copy(value)) for owner in (self, self.files) for name, value in vars(owner).items()
                   if isinstance(value, (dict, list))]  # fmt: skip
         try:
-            wanted = [self.files.load(path) for path in paths]
+            wanted = list(dict.fromkeys(self.files.load(path) for path in paths))
+            self._refuse_two_of_one_namespace(wanted)
             for file in wanted:
                 self.build(file)
             self.link()
@@ -128,6 +129,16 @@ class MetamodelReader:
                     reached[other] = None
                     pending.append(other)
         return [package for file in reached for package in self._packages[file]]
+
+    def _refuse_two_of_one_namespace(self, files: Iterable[EcoreFile]) -> None:
+        """Note files that were given together and have a namespace in common: a model could be of either."""
+        seen: dict[str, EcoreFile] = {}
+        for file in files:
+            for uri, node in file.by_uri.items():
+                if (first := seen.setdefault(uri, file)) is not file:
+                    message = f"'{first.path}' has the namespace '{uri}', too"
+                    fix = "give one of them; a Session takes two versions one after the other"
+                    self.problem("two metamodels have one namespace", self._place(file, node), message, fix)
 
     def problem(self, kind: str, location: Location, message: str, fix: str) -> None:
         """Note a problem."""

@@ -11,10 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from robosmi.errors import ModelError
 from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, features_fixed, new_slot, note_link
 from robosmi.model.elements.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
 from robosmi.model.elements.feature_errors import unknown_feature
+from robosmi.model.elements.features import all_features, is_computed
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,
     CONTAINING_FEATURE,
@@ -23,6 +25,7 @@ from robosmi.model.elements.pyecore_internals import (
     container_of,
     key_of,
     own_resource_of,
+    read,
 )
 
 if TYPE_CHECKING:
@@ -68,24 +71,37 @@ def initialise(element: EObject, features: dict[str, Any]) -> None:
     """
     cls = element.__class__
     plan = _PLANS.get(cls) or _plan(cls)
+    if not features.keys() <= plan.keys():
+        raise unknown_feature(element, next(name for name in features if name not in plan))
     slots = element.__dict__
     bare_class = plan.bare.get
-    for name, value in features.items():
-        if value.__class__ is bare_class(name):  # two of three values in models of code: numbers of lines and columns, and names
-            slots[name] = value
-            continue
-        if value is None:
-            continue
-        entry = plan.get(name)
-        if entry is None:
-            raise unknown_feature(element, name)
-        bare, key, feature, put, known = entry
-        if value.__class__ is bare:
-            slots[key] = value
-        elif put is None or not put(element, slots, key, feature, known, value):
-            setattr(element, name, value)
+    try:
+        for name, value in features.items():
+            if value.__class__ is bare_class(name):  # two of three values in models of code: numbers of lines, and names
+                slots[name] = value
+                continue
+            if value is None:
+                continue
+            bare, key, feature, put, known = plan[name]
+            if value.__class__ is bare:
+                slots[key] = value
+            elif put is None or not put(element, slots, key, feature, known, value):
+                setattr(element, name, value)
+    except ModelError:
+        disconnect(element)
+        raise
     if SET_FEATURES in slots:  # else it is read off the slots when somebody asks
         slots[SET_FEATURES].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
+
+
+def disconnect(made: Any) -> None:
+    """Take an element that could not be made out of its container and out of all references."""
+    for feature in all_features(made.eClass):
+        slot = made.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
+        if slot is not None and feature.many:
+            read(slot).clear()
+        elif slot is not None and read(slot) is not None:
+            setattr(made, key_of(feature), None)
 
 
 def connect(element: EObject, name: str, value: Any) -> None:

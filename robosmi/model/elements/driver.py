@@ -332,6 +332,25 @@ def read_only(what: str, name: str) -> ReadOnlyError:
     return ReadOnlyError(f"cannot {what}: the model {name} is read-only", fix="change a copy in a technology that can, as XMI")
 
 
+def refuse_unknown_attribute(model: Model, name: str) -> None:
+    """Refuse to set what a model does not have, which would be an attribute of the Python object and never be saved.
+
+    Classes of others that inherit from ours have attributes of their own.
+
+    Raises:
+        ModelError: it has no such attribute.
+    """
+    if type(model).__module__ in _GUARDED and name[:1] != "_" and name not in _SET_BY_MODELS and not hasattr(type(model), name):
+        raise ModelError(
+            f"the model {model.name} has no '{name}' that can be set",
+            fix="set features of elements; make elements with M.Type(...), add roots with add(ELEMENT)",
+        )
+
+
+_GUARDED = ("robosmi.model.emf", "robosmi.model.plain_xml", "robosmi.query.models")
+_SET_BY_MODELS = ("name", "path", "metamodel", "model", "read_only")
+
+
 def is_element(value: Any) -> TypeGuard[DynamicNode]:
     """Whether the value is an element of a model; enumeration literals are not."""
     return isinstance(value, ModelElement) or (isinstance(value, EObject) and not isinstance(value, EEnumLiteral))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.elements import ecore
+from robosmi.model.elements.construct import disconnect
 from robosmi.model.elements.driver import Kind, TypeHandle, class_of
 from robosmi.model.elements.ecore import DynamicEObject, EEnum, EObject, EStructuralFeature
 from robosmi.model.elements.feature_errors import not_named
@@ -46,11 +47,15 @@ def new(kind: Kind, /, **features: Any) -> Any:
                 f"{eclass.name} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(sorted(known))}"
             )
     made = of_ecore(cls) if cls.__module__ == "pyecore.ecore" else cls()
-    for name, value in features.items():
-        if known[name].many:
-            getattr(made, name).extend(value)
-        elif value is not None:
-            setattr(made, name, value)
+    try:
+        for name, value in features.items():
+            if known[name].many:
+                getattr(made, name).extend(value)
+            elif value is not None:
+                setattr(made, name, value)
+    except ModelError:
+        disconnect(made)
+        raise
     return made
 
 

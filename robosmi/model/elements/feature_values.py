@@ -8,7 +8,7 @@ and `count`, which return plain lists or take no function there.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
@@ -74,6 +74,10 @@ class Queried(Queryable):
         except TypeError as error:
             owner, _, name = self._place()[0].rpartition(".")
             raise value_error(owner, name, value, error) from error
+
+    def __iter__(self) -> Iterator[Any]:
+        """The values as they are now: changing the collection in a loop over it skips none of them."""
+        return iter([*super().__iter__()])  # type: ignore[misc]
 
     def _place(self) -> tuple[str, bool]:
         """Class and name of the feature, as `Book.authors`, and whether it holds elements."""

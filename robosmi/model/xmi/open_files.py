@@ -17,6 +17,7 @@ from robosmi.model.ecore.xmi_document import Document
 from robosmi.model.elements.ecore import DynamicEObject, EPackage, Package
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.fragments import own_id
+from robosmi.model.elements.pyecore_internals import container_of
 
 
 class OpenModel(Protocol):
@@ -29,6 +30,9 @@ class OpenModel(Protocol):
     @property
     def roots(self) -> list[DynamicEObject]:
         """Its root elements."""
+
+    def to_bytes(self) -> bytes:
+        """Its text, as it would be saved in its file."""
 
     def all_contents(self) -> Iterable[DynamicEObject]:
         """All of its elements."""
@@ -71,6 +75,21 @@ class OpenFiles:
             path: model.roots for path, model in self._models.items()
         }
 
+    def texts(self) -> dict[Path, bytes]:
+        """The texts of all files, open or read with an open one, as they would be saved.
+
+        Raises:
+            ModelError: one cannot be written.
+        """
+        from robosmi.model.xmi.saved_places import still_roots, text_of
+
+        around = self.places()
+        read = {
+            path: text_of(path, still_roots(document.roots), around, path, document.schema_locations)
+            for path, (document, _) in self._read.items()
+        }
+        return read | {path: model.to_bytes() for path, model in self._models.items()}
+
     def find(self, path: Path) -> Document | None:
         """The elements of a file that is open, as they are now, or None."""
         if (model := self._models.get(path)) is None:
@@ -102,8 +121,11 @@ class OpenDocuments:
         return self._found[path]
 
     def leave(self, paths: Iterable[Path]) -> None:
-        """Read these files again instead of using open models, whose elements cannot be moved into another container."""
-        self._found |= dict.fromkeys(paths)
+        """Read those of these files again whose open models cannot be contained, since their roots are contained elsewhere."""
+        for path in paths:
+            document = self.get(path)
+            if document is not None and any(container_of(root) is not None for root in document.roots):
+                self._found[path] = None
 
 
 def _digest(path: Path) -> str:

@@ -9,22 +9,54 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePath
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 from urllib.parse import unquote
 
-from robosmi.model.elements.ecore import DynamicEObject
-from robosmi.model.xmi.xmi_locations import relative
+from robosmi.model.elements.ecore import EObject
+from robosmi.model.elements.home import home_of
+from robosmi.model.elements.pyecore_internals import own_resource_of
+from robosmi.model.xmi.xmi_locations import XmiLocations, relative
+from robosmi.model.xmi.xmi_writer import roots_in, to_xmi
 
 if TYPE_CHECKING:
     from robosmi.model.xmi.xmi_layout import Root
+    from robosmi.model.xmi.xmi_locations import Neighbour
 
 _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]*:")
 
 
-def neighbouring_models(
-    target: Path, own: Iterable[DynamicEObject], given: Mapping[str, Root], read: Mapping[Path, Sequence[DynamicEObject]]
-) -> dict[str, Root]:
-    """The models that references of a model may lead to, by their file names seen from its folder.
+def text_of(
+    target: Path,
+    roots: Sequence[EObject],
+    read: Mapping[Path, Sequence[EObject]],
+    source: Path | None = None,
+    schema_locations: Iterable[tuple[str, str]] = (),
+    given: Mapping[str, Root] = MappingProxyType({}),
+) -> bytes:
+    """The text of a model as a file has it at a place.
+
+    Args:
+        target: the file that it is for.
+        roots: its root elements.
+        read: the root elements of other files, by absolute path.
+        source: the file that it was read from.
+        schema_locations: namespaces and places of metamodels as that file has them.
+        given: models that the caller names.
+
+    Raises:
+        ModelError: it cannot be written.
+    """
+    models = models_around(target, roots, given, read)
+    locations = XmiLocations(models, neighbour_finder(target, models))
+    places = metamodel_places(source or target, schema_locations, target)
+    return to_xmi(models, [target.name], locations, schema_locations=places)[target.name]
+
+
+def models_around(
+    target: Path, own: Iterable[EObject], given: Mapping[str, Root], read: Mapping[Path, Sequence[EObject]]
+) -> dict[str, list[EObject]]:
+    """The model that is written and those that its references may lead to, by their file names seen from its folder.
 
     Args:
         target: the file that is written.
@@ -32,16 +64,43 @@ def neighbouring_models(
         given: models that the caller names.
         read: the root elements of other files, by absolute path.
     """
-    found: dict[str, Root] = dict(given)
-    taken = {id(root) for root in own}
-    for roots in given.values():
-        taken.update(id(root) for root in (roots if isinstance(roots, Sequence) else [roots]))
-    for place, others in read.items():
+    found: dict[str, list[EObject]] = {target.name: list(own)}
+    found |= {name: roots_in(root) for name, root in given.items()}
+    taken = {id(root) for roots in found.values() for root in roots}
+    for place, known in read.items():
         name = _seen_from(target, str(place))
-        if name not in found and name != target.name and not any(id(root) in taken for root in others):
+        others = still_roots(known)
+        if name not in found and not any(id(root) in taken for root in others):
             found[name] = others
             taken.update(id(root) for root in others)
     return found
+
+
+def still_roots(roots: Iterable[EObject]) -> list[EObject]:
+    """Those roots of a file that were not put into a container since, of another file or this one."""
+    return [root for root in roots if own_resource_of(root) is not None]
+
+
+def neighbour_finder(target: Path, models: dict[str, list[EObject]]) -> Neighbour:
+    """What finds the file of a root that is in none of these models, and adds that file to them if it is not there.
+
+    Args:
+        target: the file that is written.
+        models: file names seen from its folder -> roots.
+    """
+
+    def find(root: EObject) -> tuple[str, list[EObject]] | None:
+        home = home_of(root)
+        if home is None or home.place is None:
+            return None
+        name = _seen_from(target, str(home.place))
+        if name == target.name:  # another copy of the file that is written, in which a reference would lead elsewhere
+            return None
+        roots = list(home.contents)
+        models.setdefault(name, roots)
+        return name, roots
+
+    return find
 
 
 def metamodel_places(file: Path, locations: Iterable[tuple[str, str]], target: Path) -> dict[str, str]:

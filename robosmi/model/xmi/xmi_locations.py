@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import lru_cache
 from pathlib import PurePosixPath
-from typing import Any
+from typing import Any, TypeAlias
 from urllib.parse import quote
 
 from msgspec import Struct
@@ -23,10 +23,22 @@ from robosmi.model.elements.compact_slots import plain_value
 from robosmi.model.elements.ecore import EClass, EModelElement, EObject, EPackage, EStructuralFeature, EValue, Scalar
 from robosmi.model.elements.features import as_package, id_attribute, is_of_ecore, root_package
 from robosmi.model.elements.fragments import segment
-from robosmi.model.elements.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
+from robosmi.model.elements.pyecore_internals import (
+    container_of,
+    containing_feature_of,
+    is_value,
+    key_of,
+    own_resource_of,
+    value_in,
+    xmi_id_of,
+)
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
 _NOT_IN_PATHS = re.compile(r"(?![A-Za-z0-9/_.!~*'()@=+$,;-])[\x00-\x9f]")  # as EMF's URI.createFileURI, but for & and :
+
+
+Neighbour: TypeAlias = "Callable[[EObject], tuple[str, Sequence[EObject]] | None]"
+"""A root -> the name of its file and all roots there, None where it has none."""
 
 
 class Unplaced(Exception):
@@ -42,23 +54,28 @@ class XmiLocations:
 
     Args:
         models: file name, relative to a common folder -> roots.
+        neighbour: finds the file of a root that is in none of these models, and adds it to them; None for none.
     """
 
-    def __init__(self, models: Mapping[str, Sequence[EObject]]) -> None:
+    def __init__(self, models: Mapping[str, Sequence[EObject]], neighbour: Neighbour | None = None) -> None:
+        self._neighbour = neighbour
         self._known: dict[int, tuple[str, str]] = {}
         self.roots: dict[int, str] = {}
         self._ids: dict[type[EObject], _Identity | None] = {}
         self._steps: dict[EStructuralFeature, _Step] = {}
         self.nested = {id(root) for roots in models.values() for root in roots if root.eContainer() is not None}
         for name, roots in models.items():
-            for index, root in enumerate(roots):
-                if id(root) in self.roots:
-                    raise ModelError(
-                        f"{shown(root)} is a root of '{self.roots[id(root)]}' and of '{name}'",
-                        fix="keep it in one of these models",
-                    )
-                self.roots[id(root)] = name
-                self._known[id(root)] = (name, f"/{index}" if len(roots) > 1 else "/")
+            self._add(name, roots)
+
+    def _add(self, name: str, roots: Sequence[EObject]) -> None:
+        for index, root in enumerate(roots):
+            if id(root) in self.roots:
+                raise ModelError(
+                    f"{shown(root)} is a root of '{self.roots[id(root)]}' and of '{name}'",
+                    fix="keep it in one of these models",
+                )
+            self.roots[id(root)] = name
+            self._known[id(root)] = (name, f"/{index}" if len(roots) > 1 else "/")
 
     def retain(self, files: Collection[str]) -> None:
         """Forget the addresses in all files except these, whose elements have not moved when the models are written again."""
@@ -114,6 +131,9 @@ class XmiLocations:
             if isinstance(one, type) or (isinstance(one, ecore.EModelElement) and is_of_ecore(one.eClass)):
                 file, fragment = self.in_metamodel(one)  # a metamodel that is one of the models has a file
                 return file, fragment if file else metamodel_uri(one)
+            if self._neighbour is not None and own_resource_of(one) is not None and (found := self._neighbour(one)):
+                self._add(*found)
+                continue
             climbed.append(one)
             container = container_of(one)
             if container is None or len(climbed) > 10_000_000:

@@ -50,13 +50,14 @@ def to_xmi(
         ModelError: a reference leads to an element in none of the models, a text of a metamodel holds a character XML
             cannot, a value is not of its feature's type or too many, an id is used twice, or an element contains itself.
     """
-    roots = {name: _roots(given) for name, given in models.items()}
+    roots = {name: roots_in(given) for name, given in models.items()}
     with collector_at_rest():
         found, names = places or XmiLocations(roots), models if wanted is None else wanted
         return {name: _Writer(name, roots[name], found, schema_locations or {}).write() for name in names}
 
 
-def _roots(given: Root) -> list[EObject]:
+def roots_in(given: Root) -> list[EObject]:
+    """The root elements that a file is written from; a generated package stands for its EPackage."""
     roots = given if isinstance(given, Sequence) else [given]
     return [as_package(root) if isinstance(root, ModuleType) else root for root in roots]
 
@@ -372,8 +373,8 @@ class _Writer:
             what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
             raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
         except Unplaced:
-            what = f"refers to {shown(target)}, which is in none of the models that are written"
-            fix = "add the target to a model that is saved with this one, or remove the reference"
+            what = f"refers to {shown(target)}, which is in none of the models that have a file"
+            fix = "add the target to a model, save that model first so that it has a file, or remove the reference"
             raise self.problem(element, column, what, fix) from None
         return known
 

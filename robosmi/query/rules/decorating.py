@@ -13,7 +13,7 @@ Function = TypeVar("Function", bound=AnyFunction)
 
 
 class Decorator(Protocol):
-    """A decorator that notes a function and gives back the very same."""
+    """A decorator that registers a function and returns it unchanged."""
 
     def __call__(self, function: Function, /) -> Function:
         """The function that was given."""

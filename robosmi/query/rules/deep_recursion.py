@@ -1,7 +1,7 @@
 """Calls that nest as deep as a model is long: a rule that asks for the equivalent of the next element, whose rule asks for its
 next ...
 
-Python's stack has 1,000 frames for each thread. `in_thread` goes on in a thread with a stack of its own and waits for it, so
+Python's stack has 1,000 frames for each thread. `in_thread` continues in a thread with a stack of its own and waits for it, so
 that every `LEVELS` levels of nesting one thread is added and no chain is too long. The order of evaluation is that of plain
 calls.
 """

@@ -133,7 +133,7 @@ class RuleType:
 
 
 def rule_type(given: RuleKind, models: Sequence[Model], what: str, function: Function | None) -> RuleType:
-    """The type that a rule is about; where there is none, the error says which rule is about it, and where that stands.
+    """The type of a rule's elements; if there is none, the error names the rule and its place.
 
     Args:
         given: the type, as for `RuleType`.
@@ -158,8 +158,8 @@ def other_load(kind: RuleType, models: Iterable[Model]) -> Model | None:
     found = [(m, class_of(t)) for m in models if (t := m.find_type(name_of(kind.kind))) is not None]
     if any(cls is kind.cls for _, cls in found):
         return None
-    wanted = getattr(kind.cls, "eClass", None)
-    return next((m for m, cls in found if is_another_load(wanted, getattr(cls, "eClass", None))), None)
+    requested = getattr(kind.cls, "eClass", None)
+    return next((m for m, cls in found if is_another_load(requested, getattr(cls, "eClass", None))), None)
 
 
 def with_place(error: RobosmiError, what: str, function: Function | None) -> RobosmiError:
@@ -177,14 +177,14 @@ def with_place(error: RobosmiError, what: str, function: Function | None) -> Rob
 
 
 def _named(name: str, models: Sequence[Model]) -> tuple[Type, list[Model]] | None:
-    wanted, _, plain = name.rpartition("!")
+    requested, _, plain = name.rpartition("!")
     for model in models:
-        if wanted in ("", model.name) and (kind := model.find_type(plain)) is not None:
+        if requested in ("", model.name) and (kind := model.find_type(plain)) is not None:
             return kind, [model]
     try:
         type_named(name)
     except RobosmiError:
-        raise unknown_type(name, [n for m in models if wanted in ("", m.name) for n in m.type_names()]) from None
+        raise unknown_type(name, [n for m in models if requested in ("", m.name) for n in m.type_names()]) from None
     return None
 
 
@@ -234,10 +234,10 @@ def failed(
 
     Of a user's rule it is a `RuleError`; of a rule of this package, unless that raised an error of ours on purpose, an
     `InternalError`: no user can correct it. Where a user's rule called code of ours that raised what it never raises on purpose,
-    the advice says so.
+    the advice says that.
 
     Args:
-        error: what it raised; a `RuleError` of a rule that was asked for inside is passed on as it is.
+        error: what it raised; a `RuleError` of a rule called inside is passed on unchanged.
         what: the rule, "the check of Known".
         function: the function that is the rule.
         element: the element it was run for, None for none.
@@ -251,23 +251,23 @@ def failed(
     if isinstance(error, RobosmiError):
         return RuleError(f"{what} fails{about}: {error.message}", location=place, fix=error.fix or _CORRECT)
     if isinstance(error, RecursionError) and (found := foreign_code.endless(error)) is not None:
-        said = f"{what} fails{about}: the function '{found[0]}' calls itself without end"
-        return RuleError(said, location=found[1], fix=foreign_code.END)
-    said = f"{what} fails{about}: {type(error).__name__}: {error}"
+        message = f"{what} fails{about}: the function '{found[0]}' calls itself without end"
+        return RuleError(message, location=found[1], fix=foreign_code.END)
+    message = f"{what} fails{about}: {type(error).__name__}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
     if is_own(_module_of(owner or function)) and not world:
-        return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
+        return InternalError(message, location=place, fix="this is a bug of robosmi: please report it with this place")
     if (inside := _raised_inside(error)) is not None:
         fix = f"look at what this line gives to robosmi, where it was raised ({inside}); if that is right, it is a bug to report"
-        return RuleError(said, location=place, fix=fix)
-    return RuleError(said, location=place, fix=_CORRECT)
+        return RuleError(message, location=place, fix=fix)
+    return RuleError(message, location=place, fix=_CORRECT)
 
 
 _CORRECT = "correct the function at this line, or guard it"
 
 
 def _raised_inside(error: BaseException) -> str | None:
-    """The place in this package that raised an exception, `robosmi.query.maps:31`; None if it was raised elsewhere."""
+    """The place in this package that raised an exception, `robosmi.query.maps:31`; None if other code raised it."""
     step = error.__traceback__
     while step is not None and step.tb_next is not None:
         step = step.tb_next

@@ -21,7 +21,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
 
     Args:
         answer: what the function gave.
-        says: what it is to say, "whether the rule applies".
+        says: the meaning of the verdict, "whether the rule applies".
         fix: what to write instead.
 
     Raises:
@@ -44,7 +44,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
         given = f"the function {answer.__name__!r}, which was not called"
     else:
         return answer
-    raise UsageError(f"it gives {given}, which does not say {says}", fix=fix)
+    raise UsageError(f"it gives {given}, which is no verdict on {says}", fix=fix)
 
 
 def guarded(answer: object) -> bool:

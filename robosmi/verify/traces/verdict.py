@@ -85,6 +85,28 @@ class CallsAround(Struct, frozen=True):
     around: tuple[LibraryCall, ...] = ()
 
 
+class SearchEnd(Struct, frozen=True):
+    """How a search for scenarios ended.
+
+    Attributes:
+        budget_s: its budget in seconds: of a typical machine, or by the clock if a person has set it.
+        tried: how many scenarios it tried.
+        seconds: how long it took; 0 where it is a stored one.
+        cut: whether the budget ended it though it had more to try.
+    """
+
+    budget_s: float = 0.0
+    tried: int = 0
+    seconds: float = 0.0
+    cut: bool = False
+
+    def to_json(self) -> dict[str, Json]:
+        """The contract's form (`search`)."""
+        return {
+            "budget_s": self.budget_s, "tried": self.tried, "seconds": round(self.seconds, 1), "ended_by_budget": self.cut,
+        }  # fmt: skip
+
+
 class Verdict(Struct):
     """What a verification says.
 
@@ -111,6 +133,8 @@ class Verdict(Struct):
         calls: those of the source around the first difference.
         little_room: what the compile report says of a stack for which there is little room; empty where there is enough.
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
+        stubbed: what does nothing on both sides: functions without a model, missing headers and what they declare.
+        search: how the search for scenarios ended, in this run or the one that stored them; None without one.
     """
 
     scenarios: list[ScenarioVerdict] = []
@@ -136,6 +160,8 @@ class Verdict(Struct):
     calls: CallsAround = field(default_factory=CallsAround)
     little_room: str = ""
     stand_ins: list[str] = []
+    stubbed: list[str] = []
+    search: SearchEnd | None = None
 
     @property
     def verdict(self) -> str:
@@ -158,12 +184,12 @@ class Verdict(Struct):
 
     @property
     def partial(self) -> bool:
-        """Whether an output that is wired was not compared, or a line that main can reach was not reached."""
-        return not self.counted or bool(self.missed_lines) or not all(self.outputs.values())
+        """Whether an output that is wired was not compared, a line that main can reach was not reached, or a name is stubbed."""
+        return not self.counted or bool(self.missed_lines) or bool(self.stubbed) or not all(self.outputs.values())
 
     def covers(self, percent: float) -> bool:
-        """Whether all wired outputs were compared, and at least that share of the lines that main can reach."""
-        return bool(self.counted) and all(self.outputs.values()) and self.lines_pct >= percent
+        """Whether all wired outputs and at least that share of the lines that main can reach were compared, with no stub."""
+        return bool(self.counted) and not self.stubbed and all(self.outputs.values()) and self.lines_pct >= percent
 
     @property
     def exit_code(self) -> int:
@@ -213,6 +239,7 @@ class Verdict(Struct):
                 "outputs": sum(self.outputs.values()), "of": len(self.outputs), "lines_pct": round(self.lines_pct, 1),
             },
             "racy_scenarios": self.racy,
+            "search": None if self.search is None else self.search.to_json(),
             "channels": self.channels(),
             "not_compared": self.not_compared,
             "not_compared_because": dict(self.why_not_compared),
@@ -220,6 +247,7 @@ class Verdict(Struct):
             "engine": self.engine,
             "compiler": self.compiler,
             "stand_ins": self.stand_ins,
+            "stubbed": self.stubbed,
             "original": self.original,
             "binding": self.binding,
         }  # fmt: skip
@@ -275,7 +303,9 @@ class Verdict(Struct):
     def _stood_in(self) -> list[str]:
         """The libraries that were replaced by stand-ins, in words."""
         names = ", ".join(f"'{name}'" for name in self.stand_ins)
-        return [f"simulated with stand-ins for missing libraries: {names}"] if names else []
+        told = [f"simulated with stand-ins for missing libraries: {names}"] if names else []
+        stubs = ", ".join(self.stubbed)
+        return [*told, f"unknown, so stubbed on both sides and not compared: {stubs}"] if stubs else told
 
     def _reached(self) -> str:
         """The coverage of the source, in words."""
@@ -332,6 +362,11 @@ class Verdict(Struct):
         if self.racy:
             many, them = (f"{self.racy} test cases", "them") if self.racy != 1 else ("1 test case", "it")
             lines.append(f"  {many} discarded: the original is not repeatable in {them}")
+        if self.search is not None and self.search.cut:
+            lines.append(
+                f"  the search for test cases was ended by its budget of {self.search.budget_s:g} s, "
+                f"with {self.search.tried} tried: a larger one may find more (--budget SECONDS)"
+            )
         lines += ["", "channels:"]
         lines += [
             f"  {c['status']:14} {c['name']}{_counted(c['events'], c['status'])}{_ended(c['until_ms'])}" for c in self.channels()

@@ -21,8 +21,9 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.base.trust import acting
 from robosmi.base.user_folders import cache_dir
-from robosmi.diagnostics import Location
+from robosmi.diagnostics import Finding, Location
 from robosmi.errors import PlatformDataError, SourceError, UploadError, UsageError
+from robosmi.plugins import content
 from robosmi.verify.toolchains.boards import Board, BootLoader, find_board, load_boards
 from robosmi.verify.toolchains.build_record import BuildRecord
 from robosmi.verify.toolchains.compiled_program import compiled_hex, digests, folder_of, outside, read_record
@@ -93,7 +94,7 @@ def upload_sketch(
 
     Raises:
         SourceError: there is no sketch, it is not compiled or was changed since, it was compiled against stand-ins, has bodies
-            to be written, or is too big.
+            to be written, is too big, or a finding says that the board may be damaged and nobody has accepted it.
         UsageError: the port's name is empty, or the baud rate is none.
         MissingToolError: the tool is not installed.
         UploadError: the board did not take the program.
@@ -108,6 +109,7 @@ def upload_sketch(
         named = Path(folder_or_sketch)
         sketch, toolchain = find_sketch(named, load_toolchains(project))
         folder = kept_in if kept_in is not None else folder_of(named, sketch)
+        _harmless(sketch)
         record, program = _kept(sketch, folder, named)
         board = _board(record, toolchain, project, folder)
         loader = _loader(board)
@@ -202,6 +204,22 @@ def _sendable(
         raise SourceError(
             f"a body is still to be written{more}; its calls would do nothing", location=todo[0],
             fix="write it (MIGRATION.md lists all) and compile again, or upload anyway with --unfinished",
+        )  # fmt: skip
+
+
+def _harmless(sketch: Sketch) -> None:
+    """Make sure that no finding about the wiring says that the board may be damaged, but those that a person has accepted.
+
+    Raises:
+        SourceError: one does.
+    """
+    refused: Sequence[Finding] = content("query", "upload_refusals")(sketch.folder.parent)
+    if refused:
+        first, more = refused[0], f", and {len(refused) - 1} more" if len(refused) > 1 else ""
+        advice = f"{first.fix}; or " if first.fix else ""
+        raise SourceError(
+            f"the board may be damaged [{first.rule}]: {first.message}{more}", location=first.location,
+            fix=f"{advice}accept it: [[accept]] with rule = \"{first.rule}\", element and reason in robosmi.toml",
         )  # fmt: skip
 
 

@@ -43,3 +43,23 @@ def test_a_migration_writes_the_sketch_all_the_same_and_exits_with_1(tmp_path: P
     assert outcome.code == 1
     assert "RS258" in outcome.rules()
     assert (tmp_path / "out" / "ping" / "ping.ino").is_file()
+
+
+def test_upload_refuses_what_may_damage_the_board_until_a_person_accepts_it(tmp_path: Path) -> None:
+    program = tmp_path / "ping.c"
+    program.write_text('#include "simpletools.h"\nint main() { while (1) { high(3); pause(1); low(3); pause(100); } }\n')
+    assert run("migrate", program, "--hardware", DIRECT, "--target", "pico", "-o", tmp_path / "out").code == 1
+    refused = run("upload", tmp_path / "out", "--port", "/dev/none")
+    assert refused.code == 3
+    assert "RS258" in refused.err
+    assert "[[accept]]" in refused.err
+    text = '[[accept]]\nrule = "RS258"\nelement = "*"\nreason = "its echo has a divider that is not drawn"\n'
+    (tmp_path / "robosmi.toml").write_text(text)
+    assert "not compiled yet" in run("upload", tmp_path / "out", "--port", "/dev/none").err
+
+
+def test_what_harms_no_board_is_not_asked_about(tmp_path: Path) -> None:
+    program = tmp_path / "blink.c"
+    program.write_text('#include "simpletools.h"\nint main() { high(3); }\n')
+    assert run("migrate", program, "--target", "pico", "-o", tmp_path / "out").code == 0
+    assert "not compiled yet" in run("upload", tmp_path / "out", "--port", "/dev/none").err

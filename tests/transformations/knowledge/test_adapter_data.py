@@ -172,3 +172,15 @@ def test_a_file_of_the_hardware_layer_says_so(tmp_path: Path) -> None:
     with pytest.raises(PlatformDataError) as caught:
         AdapterIndex([tmp_path]).files("hal")
     assert caught.value.location == Location(str(tmp_path / "hal" / "avr.cpp"), 1)
+
+
+@pytest.mark.parametrize("marker", ["architecture: rp2400", "limit rp2400: none"])
+def test_a_variant_of_a_person_for_an_unknown_architecture_is_refused(tmp_path: Path, marker: str) -> None:
+    own = tmp_path / "adapters"
+    own.mkdir()
+    (own / "tools.cpp").write_text(f"//# header tools.h\n//# helper Io\n//#   {marker}\nint io;\n")
+    with pytest.raises(PlatformDataError, match=r"unknown architecture 'rp2400' \(did you mean 'rp2040'\?\)") as caught:
+        adapter_index("arduino", "propeller", beside=tmp_path).files("tools.h")
+    assert caught.value.location == Location(str(own / "tools.cpp"), 2)
+    (own / "tools.cpp").write_text((own / "tools.cpp").read_text().replace("rp2400", "rp2040"))
+    assert adapter_index("arduino", "propeller", beside=tmp_path).files("tools.h")

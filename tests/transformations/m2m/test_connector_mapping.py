@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -20,8 +18,10 @@ from robosmi.transformations.m2m.circuits.connector_mapping import algorithm_1_a
 from robosmi.transformations.queries.circuits.circuit import boards, component_named, hardware_report, port_interfaces, the_board
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.pin_table import read_circuit as read_table
+from tests.evaluation.scoring.sketches import LEVELS, SketchScore, labelled_sketches
+from tests.evaluation.sources import sketch_file
 from tests.growing import DRAWINGS, drawing
-from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, LABELS, SHARED, zipped
+from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, LABELS, zipped
 
 UNO = load_mapping("arduino", load_board("uno"))
 
@@ -105,29 +105,16 @@ def test_the_printed_algorithm_finds_all_and_reports_too_much(case: str, right: 
     assert any(not c.pin for c, _ in printed)  # supply pins too
 
 
-def scored(folder: Path, labels: Path) -> dict[str, Any]:
-    for path in sorted(labels.glob("*.fzz")):
-        result, _ = report(path)
-        (folder / f"{path.stem}.json").write_text(json.dumps({"result": result}))
-    command = [sys.executable, str(SHARED / "score.py"), str(folder), "--labels", str(labels), "--json"]
-    answer: dict[str, Any] = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
-    return answer
-
-
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the labelled sketches and their score are not there")
-def test_the_score_of_the_cases_is_one_in_all_levels(tmp_path: Path) -> None:
-    score = scored(tmp_path, SHARED / "cases")
-    assert [score[k] for k in ("precision", "recall", "connectors", "role", "driver", "signal", "name")] == [1.0] * 7
-    assert (score["exact"], score["right_in_everything"], score["failed"]) == (2, 2, 0)
-
-
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the labelled sketches and their score are not there")
-def test_the_score_of_the_development_set(tmp_path: Path, record_property: Callable[[str, object], None]) -> None:
-    score = scored(tmp_path, SHARED / "dev")
-    record_property("dev", {k: v for k, v in score.items() if k != "wrong"})
-    assert score["failed"] == 0
-    assert [score[k] for k in ("precision", "recall", "connectors", "role", "driver", "signal", "name")] == [1.0] * 7
-    assert (score["exact"], score["right_in_everything"]) == (44, 44)
+def test_the_score_of_the_labelled_sketches(record_property: Callable[[str, object], None]) -> None:
+    score = SketchScore()
+    for label in labelled_sketches():
+        if (path := sketch_file(label)) is not None:
+            score.add(label, report(path)[0]["mappings"])
+    if not score.sketches:
+        pytest.skip("the labelled sketches are not there: make corpus")
+    record_property("sketches", score)
+    assert (score.precision, score.recall, score.wrong) == (1.0, 1.0, {})
+    assert score.levels == dict.fromkeys(LEVELS, score.mappings)
 
 
 def test_a_sketch_of_five_hundred_components_maps_in_half_a_second(tmp_path: Path) -> None:

@@ -18,17 +18,18 @@ from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.m2t.circuits.circuit_layout import text_width
 from robosmi.transformations.m2t.circuits.circuit_picture import MOST_LINES, circuit_picture, net_colours, rail_names, svg
 from robosmi.transformations.t2m.fritzing import read_circuit
+from tests.evaluation.scoring.sketches import labelled_sketches
+from tests.evaluation.sources import sketch_file
 from tests.transformations.t2m.eagle import support as eagle
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
 SVG = "{http://www.w3.org/2000/svg}"
 READERS = Path(__file__).resolve().parents[1] / "t2m" / "drawing_readers"
-SHARED = Path(__file__).resolve().parents[3].parent / "shared" / "fritzing" / "dev"
 SKETCHES = [*CASES.values(), *sorted(p for p in FIXTURES.glob("*.fz") if p.stem != "nothing_connected")]
 DRAWINGS = [
     *SKETCHES,
     *sorted(p for p in READERS.rglob("*.*") if p.stem in ("robot", "unknown")),
-    *sorted(SHARED.rglob("*.fz*")),
+    *filter(None, map(sketch_file, labelled_sketches())),
     *(
         path
         for folder in filter(None, [os.environ.get("ROBOSMI_DRAWINGS")])

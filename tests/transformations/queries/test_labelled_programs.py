@@ -1,15 +1,11 @@
-"""The labelled real programs against the judge that is not part of the project: every field of every program right.
+"""The labelled real programs: every field of every program that is there is right.
 
-Runs where ROBOSMI_CORPUS names the folder in which the programs are laid out and the shared labels are beside the project.
+Runs where the programs are laid out: `make corpus`, or a folder that ROBOSMI_CORPUS names.
 """
 
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 
@@ -17,27 +13,19 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 from tests.bench.c_source import headers
-
-LEAST_RIGHT = 1.0
+from tests.evaluation.scoring.programs import Score, labelled_programs
+from tests.evaluation.sources import FETCH, corpus_folder, program_file
 
 
 @pytest.mark.parametrize("with_headers", [False, True])
-def test_labelled_programs(with_headers: bool, shared: Path, tmp_path: Path) -> None:
-    corpus = os.environ.get("ROBOSMI_CORPUS")
-    if not corpus:
-        pytest.skip("ROBOSMI_CORPUS does not name a folder with the labelled programs")
-    api = ApiIndex.load("propeller")
-    folders = headers() if with_headers else []
-    ids = []
-    for label in sorted((shared / "propeller" / "programs").glob("*.json")):
-        facts = json.loads(label.read_text())
-        source = Path(corpus) / facts["repo"] / facts["path"]
-        if source.is_file():
+def test_labelled_programs(with_headers: bool) -> None:
+    corpus = corpus_folder()
+    if corpus is None:
+        pytest.skip(f"the labelled programs are not there: {FETCH}")
+    api, folders, score = ApiIndex.load("propeller"), headers() if with_headers else [], Score()
+    for label in labelled_programs():
+        if (source := program_file(label, corpus)) is not None:
             program, findings = read_program(source, include_dirs=folders)
-            (tmp_path / label.name).write_text(json.dumps({"result": analysis(program, findings, api)}))
-            ids.append(label.stem)
-    assert ids
-    (tmp_path / "ids").write_text("\n".join(ids))
-    judge = [sys.executable, str(shared / "propeller" / "score.py"), str(tmp_path), "--ids", str(tmp_path / "ids"), "--json"]
-    result = json.loads(subprocess.run(judge, capture_output=True, check=True, text=True).stdout)
-    assert result["wrong"] == {} or result["all_right"] >= LEAST_RIGHT * len(ids), result["wrong"]
+            score.add(label, json.loads(json.dumps(analysis(program, findings, api)))["units"])
+    assert score.programs
+    assert score.wrong == {}

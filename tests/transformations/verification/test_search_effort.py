@@ -40,3 +40,18 @@ def test_a_search_that_is_given_up_is_over() -> None:
     assert not effort.is_over()
     effort.given_up = True
     assert effort.is_over()
+
+
+def test_a_limit_by_the_clock_replaces_the_usual_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [0.0]
+    monkeypatch.setattr(search_effort, "monotonic", lambda: clock[0])
+    effort = SearchEffort(10.0, begun_s=0.0, clock_s=12.0)
+    effort.add(a_run(10))
+    clock[0] = 11.0
+    assert not effort.is_over()
+    assert not effort.cut
+    assert effort.left_s == 1.0
+    clock[0] = 12.0
+    assert effort.is_over()
+    assert effort.cut
+    assert effort.left_s == 0.0

@@ -13,6 +13,7 @@ from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
@@ -47,7 +48,11 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
     pins |= {text for c in plan.connections if c.pin is not None and (text := pin_literal(c.pin)).isidentifier()}
     header = str(plan.target.mainHeader) if plan.target is not None else ""
     vast = plan.program is not None and _most_members(plan.program, made) > _MOST_MEMBERS
-    return GeneratedProgram(made, header, str(target_of(plan).language), pins=pins, vast=vast)
+    machine = Machine.of(plan.target) if plan.target is not None else Machine(16, 32, 16, char_signed=True)
+    return GeneratedProgram(
+        made, header, str(target_of(plan).language), pins=pins, vast=vast,
+        int_bits=machine.int_bits, char_signed=machine.char_signed,
+    )  # fmt: skip
 
 
 def compiler_errors(

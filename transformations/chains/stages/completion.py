@@ -33,6 +33,7 @@ from robosmi.transformations.chains.stages.compiler_errors import (
 from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT, conflicts
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
 from robosmi.transformations.chains.stages.pin_check import pin_findings
+from robosmi.transformations.chains.stages.stored_verdict import StoredVerdict, set_verdict, stored_verdict
 from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plans.plan import target_of
@@ -89,6 +90,7 @@ def completion_chain(made: Generation | None = None) -> Chain:
     chain.call(user_edits, makes="user_edits", step="find what the user has written")
     chain.call(merged, makes="merged", step="merge the program with the user's edits")
     chain.call(build_sizes, makes="build_sizes", step="find the sizes of the last build")
+    chain.call(verdict, makes="verdict", step="find the verdict of the last comparison")
     chain.call(completed, makes="completed", step="complete the plan")
     if made is not None:
         chain.replace("generate the program", lambda: made)
@@ -154,6 +156,11 @@ def build_sizes(models: MigrationModels, folder: OutputFolder, merged: MergedTex
     return stored_build_sizes(folder.path, models.plan.name, merged.files)
 
 
+def verdict(models: MigrationModels, folder: OutputFolder, merged: MergedTexts) -> StoredVerdict | None:
+    """The verdict of the last comparison with the original; None if it was not about these files."""
+    return stored_verdict(folder.path, models.plan.name, merged.files)
+
+
 def completed(
     models: MigrationModels,
     folder: OutputFolder,
@@ -163,11 +170,13 @@ def completed(
     compiler_findings: Sequence[migration.PlanFinding],
     pin_check: Sequence[migration.PlanFinding],
     build_sizes: migration.Build | None,
+    verdict: StoredVerdict | None,
 ) -> Completed:
     """The models with the findings, tasks and sizes that follow from the program's text; decisions stay as they are."""
     plan = models.plan
     _replace_findings(plan, REFUSED, compiler_findings)
     _replace_findings(plan, PIN_RULE, pin_check)
+    set_verdict(plan, verdict)
     for use in plan.adapterUses:
         use.written = use.adapter is None and (use.targetName or use.name) in user_edits.names
     settle_tasks(plan)

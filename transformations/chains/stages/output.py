@@ -28,7 +28,7 @@ from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report.notebook import Findings
 from robosmi.transformations.chains.stages.completion import Completed, completion_chain
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
-from robosmi.transformations.chains.stages.written_output import checked, chosen_by_persons, commit, shown_changes
+from robosmi.transformations.chains.stages.written_output import checked, chosen_by_persons, commit, refuse_others, shown_changes
 from robosmi.transformations.m2t.first_screen import Counted, counted
 from robosmi.transformations.m2t.program_files import BENCH, report_file
 from robosmi.transformations.m2t.terminal_text import terminal_lines
@@ -143,6 +143,7 @@ def produce(
     diff: bool = False,
     unchanged: Mapping[str, bytes] | None = None,
     program: Generation | None = None,
+    report_only: bool = False,
 ) -> Generated:
     """Generate the program of a decided plan and put it, with its report and the models, into the output folder.
 
@@ -156,6 +157,7 @@ def produce(
         diff: say what is changed, as a dry run does.
         unchanged: models beside the plan that are as they are stored, with their bytes.
         program: the program, if it was generated from these decisions already.
+        report_only: write no other file than the report and the models, as part of the last run, which `undo` takes back.
 
     Raises:
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
@@ -170,8 +172,10 @@ def produce(
         done = completion_chain(program).start(models=models, output=output).value("completed", Completed)
         known = _add_report(done)
         writing = checked(done, inputs or {}, unchanged or {})
+        if report_only:
+            refuse_others(done, writing)
         if not dry_run:
-            commit(done, writing, inputs or {}, outside)
+            commit(done, writing, inputs or {}, outside, amending=report_only)
     changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else ""
     new = [choice for key, choice in chosen_by_persons(models.plan).items() if key not in done.folder.manifest.choices]
     return Generated(

@@ -14,12 +14,14 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import write_atomic
 from robosmi.files.run_lock import alone
+from robosmi.transformations.chains.stages.stored_verdict import StoredVerdict
 from robosmi.transformations.verification.judgement.scenario_verdicts import ComparedScenario
 from robosmi.transformations.verification.search.stored_search import FILE, StoredSearch, scenarios_digest
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.trace_picture import trace_svg
 from robosmi.verify.traces.vcd import vcd_text
+from robosmi.verify.traces.verdict import SearchEnd
 
 UNWRITTEN = "RS902"
 """The rule of a file that cannot be written."""
@@ -43,18 +45,18 @@ class VerifiedFiles:
         if scenarios:
             self._attempt("the scenarios cannot be stored", folder, _MAKE_ROOM, lambda: self._scenarios(scenarios, folder))
 
-    def store_search(self, search: str, racy: int, racy_counts: Sequence[bytes], folder: Path) -> None:
+    def store_search(self, search: str, racy: int, racy_counts: Sequence[bytes], folder: Path, told: SearchEnd) -> None:
         """Write what a search came to beside its scenarios; the arguments are those of `StoredSearch`."""
         self._attempt(
             "the record of the search cannot be stored", folder / FILE, _MAKE_ROOM,
-            lambda: self._search(search, racy, racy_counts, folder),
+            lambda: self._search(search, racy, racy_counts, folder, told),
         )  # fmt: skip
 
-    def _search(self, search: str, racy: int, racy_counts: Sequence[bytes], folder: Path) -> None:
+    def _search(self, search: str, racy: int, racy_counts: Sequence[bytes], folder: Path, told: SearchEnd) -> None:
         with alone(folder.parent.parent):
             stored = sorted(folder.glob("*.toml"))
             if stored:
-                record = StoredSearch(search, scenarios_digest(stored), racy, sorted(set(racy_counts)))
+                record = StoredSearch(search, scenarios_digest(stored), racy, sorted(set(racy_counts)), told)
                 self._write(folder / FILE, record.text(), "search")
 
     def _scenarios(self, scenarios: Sequence[Scenario], folder: Path) -> None:
@@ -68,6 +70,10 @@ class VerifiedFiles:
                     number += 1
                 folder.mkdir(exist_ok=True)
                 self._write(path, scenario.text(), "scenario")
+
+    def store_verdict(self, path: Path, record: StoredVerdict) -> None:
+        """Write the record of the verdict beside the models."""
+        self._attempt("the verdict cannot be stored", path, _MAKE_ROOM, lambda: write_atomic(path, record.to_bytes()))
 
     def write_picture(self, path: Path, shown: ComparedScenario) -> None:
         """Draw both sides of a scenario into a picture beside the models."""

@@ -7,7 +7,7 @@ this one.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from msgspec import Struct
@@ -23,7 +23,8 @@ from robosmi.metamodels import migration
 from robosmi.transformations.chains.stages.completion import Completed
 from robosmi.transformations.chains.stages.edited_plan import STORED, digest_without_choices, only_choices_differ
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
-from robosmi.transformations.chains.stages.replaced_programs import replaced_programs
+from robosmi.transformations.chains.stages.program import sketch_name_of
+from robosmi.transformations.m2t.program_files import BENCH, REPORT
 
 
 class Writing(Struct):
@@ -68,8 +69,23 @@ def checked(done: Completed, inputs: Mapping[str, bytes | None], unchanged: Mapp
     return Writing(contents, kept.records, kept.old | _with_comments(output, inputs, contents, kept.findings), going)
 
 
-def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None) -> None:
-    """Write the files, and the record of them, all or none."""
+def refuse_others(done: Completed, new: Writing) -> None:
+    """Make sure that nothing but the report, the models and the records is about to be written.
+
+    Raises:
+        StoppedError: another file is.
+    """
+    places, own = done.folder.places, f"{done.models.plan.name}/{REPORT}"
+    named = [name for name in new.contents if name != own and not name.startswith(f"{FOLDER}/")]
+    others = [*(name for name in named if places.look(name) != new.contents[name]), *new.old, *sorted(new.going)]
+    if others:
+        raise StoppedError(f"generating would also change {', '.join(others)}; nothing was written")
+
+
+def commit(
+    done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None, *, amending: bool = False
+) -> None:
+    """Write the files, and the record of them, all or none; `amending` as for `save_previous`."""
     manifest, places, output = done.folder.manifest, done.folder.places, done.folder.path
     record = Manifest.of(new.contents | new.records, {*chosen_by_persons(done.models.plan), *manifest.choices})
     # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost;
@@ -83,7 +99,7 @@ def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], ou
     record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
     record.beside_choices = manifest.beside_choices if STORED in staying else digest_without_choices(new.contents[STORED])
     writing = {**new.every, MANIFEST: record.to_bytes()}
-    elsewhere = save_previous(output, places, writing, new.going, outside)
+    elsewhere = save_previous(output, places, writing, new.going, outside, amending=amending)
     manifest.note(output, writing[MANIFEST])
     update(output, writing, new.going, places.seen, elsewhere)
 
@@ -168,3 +184,34 @@ def _with_comments(
         message = lost_comments(lost, Path(beside).name)
         findings.append(Finding("RS524", Severity.warning, message, place, fix="put such notes outside the models"))
     return old
+
+
+def replaced_programs(output: Path, name: str, going: Iterable[str], contents: Iterable[str]) -> list[Finding]:
+    """Findings about sketches of other programs in this folder, whose files are removed or replaced."""
+    staying = {Path(path).name for path in contents}
+    sources = sorted(Path(path).name for path in going if path.startswith(f"{FOLDER}/source/"))
+    same = [each for each in sources if each.endswith(".c") and each not in staying and sketch_name_of(Path(each)) == name]
+    others = {path.partition("/")[0] for path in going} - {name, FOLDER, LAST.partition("/")[0]}
+    tried = [
+        Finding(
+            "RS526", Severity.warning, "the bench sketch is removed because this run has no --bench",
+            Location(str(output / BENCH)), fix="migrate with --bench to keep it",
+        )
+        for _ in others & {BENCH}
+    ]  # fmt: skip
+    tried += [
+        Finding(
+            "RS526", Severity.warning,
+            f"this program replaces '{each}' in the sketch '{name}', including its edits",
+            Location(str(output / name)),
+            fix="give each program an output folder of its own; `robosmi undo` restores the other",
+        )
+        for each in same
+    ]  # fmt: skip
+    return tried + [
+        Finding(
+            "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run generates '{name}' here",
+            Location(str(output / other)), fix="give each program an output folder of its own",
+        )
+        for other in sorted(others - {BENCH})
+    ]  # fmt: skip

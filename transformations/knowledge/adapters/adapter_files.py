@@ -63,7 +63,7 @@ _TEXTS = (
     "ram",
     "range",
 )
-_CONDITIONAL = ("setup", "fidelity", "limit", "range")
+_CONDITIONAL = ("setup", "fidelity", "limit", "range", "include")
 OTHERS = "other"
 """In the place of an architecture: those that no line of the piece's head names."""
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?( split)?(?: ([\w-]+))?")

@@ -1,14 +1,14 @@
 """The adapter files for a source and a target platform, read when a program needs them.
 
 They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
-(`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each. Files of a
-project, of a person and of plug-ins precede the built-in ones, piece by piece.
+(`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each, or for
+all others. Files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
 `queries.plans.adapter_needs` determines which pieces a program needs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from pathlib import Path, PurePath, PurePosixPath
 from types import MappingProxyType
 
@@ -18,6 +18,7 @@ from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapters.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapters.adapter_files import HAL, MARK
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterFile, AdapterPiece
+from robosmi.transformations.knowledge.board_models import architecture_of
 
 BUILT_IN = "built-in"
 OWN = "adapters"
@@ -34,11 +35,18 @@ class AdapterIndex:
         mcus: the known microcontrollers, for which variants may exist; any if none are given.
         ending: the ending of the files, which selects their language; any if it is empty.
         own: those of the folders that persons maintain -> the owner, `project` or `user`.
+        architectures: tells the known architectures, which variants of persons may name; any if it tells none.
     """
 
     def __init__(
-        self, folders: Sequence[Path], mcus: Iterable[str] = (), ending: str = "", own: Mapping[Path, str] = MappingProxyType({})
+        self,
+        folders: Sequence[Path],
+        mcus: Iterable[str] = (),
+        ending: str = "",
+        own: Mapping[Path, str] = MappingProxyType({}),
+        architectures: Callable[[], Collection[str]] = tuple,
     ) -> None:
+        self._architectures = architectures
         self.folders = list(folders)
         self.mcus = sorted(mcus)
         self.own = dict(own)
@@ -119,6 +127,12 @@ class AdapterIndex:
                     raise PlatformDataError(
                         f"{message}{did_you_mean(mcu, self.mcus)}", location=piece.location, fix=f"use: {', '.join(self.mcus)}"
                     )
+        named = [(piece, name) for piece in file.pieces for name in piece.architectures]
+        if named and any(path.is_relative_to(folder) for folder in self.own) and (known := sorted(self._architectures())):
+            for piece, name in named:
+                if name not in known:
+                    message = f"'{piece.name}' is a variant for an unknown architecture '{name}'{did_you_mean(name, known)}"
+                    raise PlatformDataError(message, location=piece.location, fix=f"use: {', '.join(known)}")
         return file
 
     def of(self, header: str) -> list[list[AdapterPiece]]:
@@ -165,7 +179,10 @@ def adapter_index(
     places = [place for folder in folders if (place := folder / relative).is_dir()]
     shipped = resources.built_in("platform_repo")
     repositories = {place: "user" for place in places if not place.is_relative_to(shipped)}
-    return AdapterIndex([*own, *places], mcus, ENDING_OF.get(language, ""), own | repositories)
+    return AdapterIndex(
+        [*own, *places], mcus, ENDING_OF.get(language, ""), own | repositories,
+        lambda: {architecture_of(name, project) for name in mcus},
+    )  # fmt: skip
 
 
 def own_folders(beside: Path | None) -> dict[Path, str]:

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.errors import MissingToolError
+from robosmi.transformations.knowledge.compile_boards import boards_to_compile_for
 from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, find_core, how_to_install
 from robosmi.transformations.knowledge.cores.core_recipes import CoreRecipes
 from robosmi.verify.toolchains.boards import Board
 from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.toolchain_data import Toolchain
+
+GENERIC = "generic"
+"""The board of a stand-in that takes the place of those which have data here and which it does not know."""
 
 
 def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoard | None:
@@ -32,6 +36,8 @@ def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoar
     if not full_names or not toolchain.core.flag("installed_boards", False):
         return None
     full, core = _first_installed([BoardName.parse(name) for name in full_names])
+    if core.stand_in and full.board not in core.board_names and _has_data(full, toolchain):
+        full = full._replace(board=GENERIC)
     recipes = CoreRecipes(core, full, toolchain)
     flash, ram = recipes.limits
     board = Board(str(full), recipes.board_title, (str(full),), {}, (), flash, ram, architecture=full.architecture)
@@ -55,3 +61,8 @@ def _first_installed(names: Sequence[BoardName]) -> tuple[BoardName, ArduinoCore
     if not found:
         raise missing[0]
     return min(found, key=lambda each: each[1].stand_in)
+
+
+def _has_data(name: BoardName, toolchain: Toolchain) -> bool:
+    plain = str(name._replace(options=()))
+    return any(plain in board.full_names for board in boards_to_compile_for(toolchain.platform))

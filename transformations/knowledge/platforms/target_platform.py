@@ -318,6 +318,7 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
         title=table.text("title", table.text("name")),
         language=table.text("language"),
         charSigned=table.flag("charSigned"),
+        losesLevel=table.flag("losesLevel", False),
         hasCogs=table.flag("hasCogs"),
         architecture=table.text("architecture"),
         coreVersion=table.text("core"),

@@ -289,12 +289,19 @@ def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> Non
 
 
 def settle_libraries(plan: migration.MigrationPlan) -> None:
-    """Record for each chosen library whether an adapter of the plan uses it; a plan without adapters stays as it is."""
-    if plan.target is None or not plan.target.adapters:
+    """Record for each chosen library whether the sketch includes it: where an adapter uses it.
+
+    Where all bodies are placeholders, each chosen library is included: the bodies to write are to use it (paper 3.4). A plan
+    without adapters and placeholders stays as it is.
+    """
+    if plan.target is None:
+        return
+    empty = bool(plan.adapterUses) and all(use.adapter is None for use in plan.adapterUses)
+    if not plan.target.adapters and not empty:
         return
     used = {str(name) for piece in emitted(plan) for name in piece.libraries}
     for choice in plan.libraryChoices:
-        choice.included = choice.chosen is not None and choice.chosen.name in used
+        choice.included = choice.chosen is not None and (empty or choice.chosen.name in used)
 
 
 def serve(uses: Iterable[migration.AdapterUse], headers: Mapping[str, str], choice: AdapterChoice, handed: Iterable[str]) -> None:

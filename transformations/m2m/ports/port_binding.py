@@ -1,4 +1,4 @@
-"""Binds each port of the source program to a connection of the target (paper Listing 4: `leftQTI` becomes 10).
+"""Binds each port of the source program to a connection of the target (paper, Listing 3: `leftQTI` becomes 10).
 
 A person's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence
 that `port_binding` weighs. What none of these decides stays open with its options. The drawing alone never tells which of

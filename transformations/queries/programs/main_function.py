@@ -1,4 +1,4 @@
-"""How `main` can be divided into what runs once and what is repeated (paper 4, RQ1: before the loop / its body).
+"""How `main` can be divided into what runs once and what is repeated (paper 5.3, RQ1: before the loop / its body).
 
 `divide` looks at the statements only and says either where the endless loop is and what must move out of `main` with
 it, or why the whole body has to stay in one piece, which is always correct. It decides nothing about a platform.

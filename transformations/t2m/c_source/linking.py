@@ -6,7 +6,7 @@ that no header declares are inferred in `inference`.
 
 Also: the signature of a function that nothing declares, inferred from its calls.
 
-Rules as measured on real programs (research note on libclang, section 4): the number of arguments, an argument's class
+Rules as measured on real programs with libclang: the number of arguments, an argument's class
 (integer, real, pointer, record), a first argument with a percent sign for a variadic function, a value that is used for a
 function that is not void. A guess is a guess: the linkage says so.
 """

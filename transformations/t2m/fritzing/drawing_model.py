@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import zipfile
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -20,21 +19,17 @@ from robosmi.model.plain_xml import XmlModel
 
 from .container import MAX_BYTES, MAX_ENTRIES, read_container
 
-if TYPE_CHECKING:
-    from lxml.etree import _Element
-
 
 class DrawingModel(XmlModel):
     """A drawing with the archive around it.
 
-    Args:
-        root, name, path: as for `XmlModel`.
+    Attributes:
+        archive: its bytes.
+        sketch_name: the name of the drawing in it.
     """
 
-    def __init__(self, root: _Element, name: str = "M", path: Path | None = None) -> None:
-        super().__init__(root, name, path)
-        self.archive = b""
-        self.sketch_name = ""
+    archive = b""
+    sketch_name = ""
 
     def save(self, path: str | Path | None = None) -> None:
         """Write the drawing: into a copy of its archive, or as XML if the path does not end in `.fzz`; see `Model.save`."""

@@ -44,7 +44,7 @@ class _Memory(Device):
             self._written += 1
         return True
 
-    def keep(self, address: int, content: bytes) -> None:
+    def restore(self, address: int, content: bytes) -> None:
         """Have bytes from an earlier run."""
         for number, byte in enumerate(content):
             self.memory[(address + number) % self.cells] = byte

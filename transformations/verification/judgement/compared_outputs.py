@@ -10,7 +10,7 @@ from robosmi.transformations.queries.programs.live_code import live_in
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, STANDING
 from robosmi.transformations.verification.rest_comparison import RESTING
-from robosmi.transformations.verification.stored_bytes import STORED
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, SAME
 from robosmi.verify.traces.verdict import PROGRAM, Verdict
 
@@ -46,7 +46,7 @@ def compared_outputs(
             found[name] = found.get(name, False) or status in (SAME, DIFFERENT)
         elif (output := _output(name)) in found and status in (SAME, DIFFERENT):
             found[output] = True
-    found |= {name: False for name in (CONSOLE_CHANNEL, STORED) if name in verdict.not_compared}
+    found |= {name: False for name in (CONSOLE_CHANNEL, EEPROM_CHANNEL) if name in verdict.not_compared}
     return found
 
 

@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, SourceRuns
-from robosmi.transformations.verification.stored_bytes import STORED
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import LibraryCall, library_calls
 from robosmi.verify.scenario import Scenario
@@ -75,7 +75,7 @@ def last_call_for(
     """
     name = channel.removesuffix(DRIVEN).removesuffix(PULSED)
     port = next((port for port in ports if port.title and (name == port.title or name.startswith(f"{port.title} "))), None)
-    functions = port.functions if port is not None else stores if channel == STORED else ()
+    functions = port.functions if port is not None else stores if channel == EEPROM_CHANNEL else ()
     makes = [call for call in calls if (call.prints if channel == CONSOLE_CHANNEL else call.function in functions)]
     if port is not None:  # the same function may be called for other ports, too
         makes = [call for call in makes if (Path(call.file).name, call.line) in port.called_at] or makes

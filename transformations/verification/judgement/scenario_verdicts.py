@@ -23,7 +23,7 @@ from robosmi.transformations.verification.judgement.after_the_end import simulat
 from robosmi.transformations.verification.judgement.side_effects import NO_LEVELS
 from robosmi.transformations.verification.judgement.verdict import SAME_MS, ended_badly, verdict_of, without_target
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
-from robosmi.transformations.verification.stored_bytes import STORED
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario
@@ -93,7 +93,7 @@ def compare_scenarios(
         if not side.shows_console:
             runs.channels.pop(CONSOLE_CHANNEL, None)
         if isinstance(trace, PinTrace) and not (trace.store_bytes and program.store_bytes):
-            runs.channels.pop(STORED, None)
+            runs.channels.pop(EEPROM_CHANNEL, None)
         if isinstance(trace, VerificationError):
             told, seen = without_target(scenario, runs, trace), EMPTY_TRACE
             found.undecided += [] if ended_badly(runs) else [trace]

@@ -54,7 +54,7 @@ def cover(
         for runs, told in zip(cases, verdict.scenarios, strict=True)
         if runs.nominal.counts
     ]:
-        verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output))
+        verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output), program.stubbed)
     verdict.counted = len(decided)
     verdict.outputs = compared_outputs(verdict, ports)
     if not decided:
@@ -87,13 +87,15 @@ def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalP
     return run_original(program, told.simulated_ms * 1000, played(ports, told.scenario, target=False)).counts
 
 
-def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan, open_now: Mapping[str, bool]) -> list[str]:
-    """A reason for each adapter without a body that is called in a scenario."""
+def _unfinished(
+    covered: SourceCoverage, plan: migration.MigrationPlan, open_now: Mapping[str, bool], stubbed: Sequence[str]
+) -> list[str]:
+    """A reason for each adapter without a body that is called in a scenario, unless it does nothing on both sides."""
     lines = {(Path(file).name, line) for (file, line), count in covered.lines.items() if count}
     found = []
     for use in plan.adapterUses:
         without = use.status in (migration.AdapterStatus.todo, migration.AdapterStatus.unsupported)
-        if not open_now.get(str(use.targetName or use.name), without):
+        if use.name in stubbed or not open_now.get(str(use.targetName or use.name), without):
             continue
         if any((Path(_unit(call)).name, int(call.line)) in lines for call in use.calls):
             found.append(f"the program calls {use.name}, which has no body yet")

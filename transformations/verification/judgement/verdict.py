@@ -36,7 +36,7 @@ from robosmi.transformations.verification.original_side import (
     compared,
 )
 from robosmi.transformations.verification.rest_comparison import RESTING, rests_compared
-from robosmi.transformations.verification.stored_bytes import STORED
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.activity import BURST, LEVEL, WAVE, ActivityEvent
@@ -84,7 +84,7 @@ def verdict_of(
     target = channel_events(trace, ports, target=True)
     found = tuple(compared(name, seen, target[name], horizon_ms, runs.loop) for name, seen in runs.channels.items())
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
-    found = tuple(each for each in found if each.channel != STORED or each.status in (SAME, DIFFERENT))
+    found = tuple(each for each in found if each.channel != EEPROM_CHANNEL or each.status in (SAME, DIFFERENT))
     found += rests_compared(runs.rests, trace, ports)
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)

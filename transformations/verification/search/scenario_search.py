@@ -55,6 +55,8 @@ def search(
     budget_s: float = 240.0,
     steps: int = 0,
     numbers: Sequence[tuple[str, int]] = (),
+    clock_s: float | None = None,
+    horizon_ms: float | None = None,
 ) -> FoundScenarios:
     """Search scenarios for a program.
 
@@ -66,14 +68,21 @@ def search(
         seed: seed of the random generator.
         known: places of the source that other scenarios reach.
         budget_s: seconds of a typical machine's time after which the search ends; at most three times as many by the clock.
+        clock_s: the limit by the clock instead, in seconds.
+        horizon_ms: how long scenarios last at most, in milliseconds, and the one without signals at least; what the program needs
+            if None.
         steps: the number of steps of a variable that the program tells apart.
         numbers: the numbers that the program compares with what is typed or sent, each with the text to type before it.
     """
-    effort = SearchEffort(budget_s)
+    effort = SearchEffort(budget_s, clock_s=clock_s)
     made = Trials(program, ports, set(known), effort)
     inputs = scenario_inputs(ports, texts, types, steps)
-    made.horizon = _horizon(program, ports, effort, _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,)))
-    _try_rest(made)
+    horizons = _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,))
+    if horizon_ms is not None:
+        horizons = _up_to(horizon_ms)
+        made.longest_ms = horizon_ms
+    made.horizon = _horizon(program, ports, effort, horizons)
+    _try_rest(made, horizons, _whole_ms(made, horizons, horizon_ms is not None))
     if inputs:
         _find_probe(made)
     for each in inputs:
@@ -96,18 +105,33 @@ def search(
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
         made.try_signals(random_signals(inputs, made.horizon, chance))
     made.found.repeatable = not effort.late
+    made.found.cut, made.found.seconds = effort.cut, effort.elapsed_s
     return _fewest(made.found, made.reached_by, known)
 
 
-def _try_rest(trials: Trials) -> None:
-    """Try the scenario without signals, with ever shorter horizons as long as the source differs from itself."""
-    trials.try_signals({})
-    for shorter in reversed([each for each in _HORIZONS_MS if each < trials.horizon]):
+def _up_to(horizon_ms: float) -> tuple[float, ...]:
+    """The horizons up to one, each twice as long as the one before."""
+    found = [_HORIZONS_MS[0]]
+    while 2 * found[-1] < horizon_ms:
+        found.append(2 * found[-1])
+    return (*(each for each in found if each < horizon_ms), horizon_ms)
+
+
+def _try_rest(trials: Trials, horizons: Sequence[float], whole_ms: float) -> None:
+    """Try the scenario without signals, with ever shorter horizons as long as the source differs from itself.
+
+    Args:
+        trials: the search.
+        horizons: those that were tried.
+        whole_ms: the first one.
+    """
+    trials.try_signals({}, horizon=whole_ms)
+    for shorter in reversed([each for each in horizons if each < whole_ms]):
         if trials.found.scenarios or not trials.found.racy or trials.effort.is_over():
             return
-        trials.horizon = shorter
+        trials.horizon = min(shorter, trials.horizon)
         trials.only_racy.clear()
-        trials.try_signals({})
+        trials.try_signals({}, horizon=shorter)
 
 
 def _find_probe(trials: Trials) -> None:
@@ -169,6 +193,25 @@ def _horizon(
             return settled or horizon
         before = places
     return settled or reached
+
+
+def _whole_ms(trials: Trials, horizons: Sequence[float], to_the_end: bool) -> float:
+    """The length of the scenario without signals in milliseconds: that of all others, or until the program ends if it does.
+
+    A course may be a table, so that a program reaches nothing new on its way.
+
+    Args:
+        trials: the search, with the length of scenarios.
+        horizons: those that may be tried.
+        to_the_end: whether it lasts as long as any may, though the program does not end.
+    """
+    if horizons[-1] <= trials.horizon or (trials.effort.is_over(0.25) and not to_the_end):
+        return trials.horizon
+    run = run_source(trials.program, trials.ports, Scenario("rest", horizons[-1]))
+    trials.effort.add(run)
+    if run.status == "finished":
+        return next(each for each in horizons if each * 1000 >= run.trace.simulated_us)
+    return horizons[-1] if to_the_end and run.status not in LIMITS else trials.horizon
 
 
 def _fewest(found: FoundScenarios, places: list[frozenset[Place]], known: frozenset[Place]) -> FoundScenarios:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterable, Sequence
 
@@ -56,6 +57,8 @@ class FoundScenarios(Struct):
         least_racy: the first dropped one, in which least happens, with its nominal run.
         tried: how many were run.
         repeatable: whether the same search finds the same on any machine: no clock has ended it.
+        cut: whether its budget or the clock has ended it though it had more to try.
+        seconds: how long it took, by the clock.
     """
 
     scenarios: list[tuple[Scenario, SourceRuns]] = []
@@ -64,6 +67,8 @@ class FoundScenarios(Struct):
     least_racy: tuple[Scenario, OriginalRun] | None = None
     tried: int = 0
     repeatable: bool = True
+    cut: bool = False
+    seconds: float = 0.0
 
 
 class Trials:
@@ -75,6 +80,7 @@ class Trials:
         self.seen = seen
         self.effort = effort
         self.horizon = 0.0
+        self.longest_ms = math.inf
         self.probe_ms = _PROBE_MS
         self.fruitless = 0
         self.found = FoundScenarios()
@@ -104,11 +110,12 @@ class Trials:
             What it reaches, and `also`.
         """
         found = self.found
-        announce(f"search for test cases: {found.tried} tried, {len(found.scenarios)} selected")
+        left = f"at most {self.effort.left_s:.0f} s left"
+        announce(f"search for test cases: {found.tried} tried, {len(found.scenarios)} selected, {left}")
         if found.tried and self.effort.is_over():
             return frozenset()
         found.tried += 1
-        scenario = Scenario(f"generated {found.tried}", horizon or self.horizon, signals, "generated")
+        scenario = Scenario(f"generated {found.tried}", min(horizon or self.horizon, self.longest_ms), signals, "generated")
         run = run_source(self.program, self.ports, scenario)
         self.effort.add(run)
         seen = channel_events(run.trace, self.ports, target=False)

@@ -18,25 +18,28 @@ import robosmi
 from robosmi import inputs
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.traces.verdict import SearchEnd
 
 FILE = "search.json"
 """Name of the record, in the folder of the scenarios."""
 
 
 class StoredSearch(Struct):
-    """A search that has ended, and not by the clock of a busy machine.
+    """A search that has ended, and not by the clock of a busy machine, unless a person has set the clock.
 
     Attributes:
         search: digest of all that the search depends on (`search_digest`).
         scenarios: digest of the scenarios that were stored after it (`scenarios_digest`).
         racy: how many scenarios were dropped because the source differs from itself.
         racy_counts: coverage counters of the dropped ones, for the branches that only they reach.
+        told: how it went.
     """
 
     search: str
     scenarios: str
     racy: int
     racy_counts: list[bytes]
+    told: SearchEnd = SearchEnd()
 
     def text(self) -> str:
         """The record as it is stored."""
@@ -52,7 +55,7 @@ def search_digest(program: OriginalProgram, sources: Mapping[str, bytes], ports:
         ports: its ports.
         settings: what else the search is given.
     """
-    of = [robosmi.__version__, program.compiler, sorted(sources.items()), list(ports), settings]
+    of = [robosmi.__version__, program.compiler, sorted(sources.items()), list(ports), program.stubbed, settings]
     digest = hashlib.sha256(msgspec.json.encode(of, order="deterministic"))
     for path in program.model.files:
         digest.update(f"\0{path.name}\0".encode() + inputs.read_bytes(path, inputs.DATA))

@@ -188,6 +188,7 @@ inline int32_t dt_getms() {
 }
 
 //# helper clock_digits
+//#   include mbed_nano renesas_uno: <api/itoa.h>
 inline char *clock_digits(char *to, int32_t first, int32_t second, int32_t third, char between) {
   int32_t parts[3] = {first, second, third};
   for (uint8_t part = 0; part < 3; part++) {

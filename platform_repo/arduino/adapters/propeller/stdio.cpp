@@ -8,6 +8,7 @@
 //# helper FloatText
 //#   include: <math.h>
 //#   fidelity: as there the digits behind the point are one integer, so that 0.1 with nine places is 0.100000000
+//#   include mbed_nano renesas_uno: <api/itoa.h>
 struct FloatText {
   char text[64];
   uint8_t length;
@@ -81,6 +82,7 @@ struct FloatText {
 //#   needs: simpletext.h/TextOut simpletext.h/TextArgument FloatText
 //#   include: <math.h>
 //#   fidelity: flags, width, precision, *, h, hh, l and the conversions d i u o x X c s p f F e E g G and %
+//#   include mbed_nano renesas_uno: <api/itoa.h>
 inline int32_t printf_text(TextOut out, const char *format, const TextArgument *given, uint8_t count) {
   const TextArgument none, *last = given + count;
   for (; *format; format++) {

@@ -225,6 +225,7 @@ inline int32_t week_of_date(const struct tm *ts, int32_t *year) {
 //#   include: <time.h>
 //#   needs: time_names week_of_date
 //#   fidelity: the text's length, or -1 where it has no room
+//#   include mbed_nano renesas_uno: <api/itoa.h>
 inline int32_t time_text(char *to, uint32_t room, const char *format, const struct tm *ts) {
   uint32_t length = 0;
   int32_t year;

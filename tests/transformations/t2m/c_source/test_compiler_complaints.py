@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 import robosmi
 from robosmi.transformations.m2t.first_screen import written
 from robosmi.transformations.queries.reports.work import Work
@@ -53,3 +55,17 @@ def test_a_function_that_the_program_defines_below_its_use_is_told() -> None:
     assert [(each.file, each.line) for each in compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h"))] == [
         ("robot.ino", 2)
     ]
+
+
+@pytest.mark.parametrize(("int_bits", "char_signed", "told"), [(16, True, [1, 2]), (32, False, []), (32, True, [2])])
+def test_types_have_the_widths_of_the_target(int_bits: int, char_signed: bool, told: list[int]) -> None:
+    sketch = b"int four[sizeof(int)] = {1, 2, 3, 4};\nint two[(char)-1 < 0 ? 1 : 2] = {1, 2};\n"
+    program = GeneratedProgram({"robot.ino": sketch}, "Arduino.h", int_bits=int_bits, char_signed=char_signed)
+    assert [each.line for each in compiler_complaints(program)] == told
+
+
+def test_a_program_for_a_pico_is_read_with_its_widths(tmp_path: Path) -> None:
+    text = '#include "simpletools.h"\nint four[sizeof(int)] = {1, 2, 3, 4};\nint main() { print("%d", four[3]); }\n'
+    (tmp_path / "four.c").write_text(text)
+    plan = robosmi.migrate([tmp_path / "four.c"], tmp_path / "out", target="pico").models.plan
+    assert [finding.line for finding in plan.findings if finding.rule == "RS337"] == []

@@ -10,6 +10,7 @@ import pytest
 from robosmi.diagnostics import Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
+from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.t2m.eagle import read_circuit
 from robosmi.transformations.t2m.eagle.library import connectors_of
@@ -49,6 +50,112 @@ def test_headers_are_unknown_and_not_walked_through_but_for_those_that_name_a_de
     assert roles["J1"] == (hw.Role.Input, "HC-SR04")
     assert roles["J2"] == (hw.Role.Unknown, "GRIPPER, Z")
     assert pins(path) == {"D2": "J1", "D3": "J2"}
+
+
+def test_a_header_is_what_its_reference_says(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("PINHD-1X4", HEADER)]
+    parts = [part("U1", "ARDUINO_UNO"), part("KEYPAD", "PINHD-1X4"), part("ENDSTOP", "PINHD-1X4")]
+    path = schematic(tmp_path, libraries, parts, [net("A", "U1.D2", "KEYPAD.1"), net("B", "U1.D3", "ENDSTOP.1")])
+    assert {c.title: c.role for c in read_circuit(path)[0].components[1:]} == dict.fromkeys(("KEYPAD", "ENDSTOP"), hw.Role.Input)
+
+
+def test_connectors_of_any_library_end_a_path_but_for_sockets_of_cards(tmp_path: Path) -> None:
+    """A jack, a terminal, a DIL socket with the name of its chip; the card in a socket is a part."""
+    kinds = {"RJ45": "con-tyco", "KRE-2P": "kre", "DIL16": "ic-package", "USD-SOCKET": "SparkFun-Connectors"}
+    described = {"DIL16": "Dual In Line Socket", "RJ45": "Jack"}
+    libraries = [device("ARDUINO_UNO", UNO)] + [
+        device(kind, HEADER, described.get(kind, "")).replace(f'library name="lib-{kind.lower()}"', f'library name="{library}"')
+        for kind, library in kinds.items()
+    ]
+    parts = [part("U1", "ARDUINO_UNO")] + [
+        part(name, kind).replace(f'library="lib-{kind.lower()}"', f'library="{kinds[kind]}"')
+        for name, kind in {"X1": "RJ45", "PEDAL": "KRE-2P", "74HC4050": "DIL16", "U3": "USD-SOCKET"}.items()
+    ]
+    nets = [net(f"N${n}", f"U1.D{n}", f"{name}.1") for n, name in ((2, "X1"), (3, "PEDAL"), (4, "74HC4050"), (10, "U3"))]
+    path = schematic(tmp_path, libraries, parts, nets)
+    roles = {c.title: (c.role.name, c.driver) for c in read_circuit(path)[0].components[1:]}
+    assert pins(path) == {"D2": "X1", "D3": "PEDAL", "D4": "74HC4050", "D10": "U3"}
+    assert roles == {
+        "X1": ("Unknown", False), "PEDAL": ("Unknown", False), "74HC4050": ("Output", True), "U3": ("Both", False),
+    }  # fmt: skip
+
+
+LED_OUT = {
+    "pins named like the pins that they are on": (["D2", "D3", "AD0", "IO5"], ["D2", "D3", "A0", "D5"], []),
+    "a bus beside such pins": (["D2", "D3", "MOSI", "SCK"], ["D2", "D3", "D11", "D13"], []),
+    "a socket with RESET of the board": (["N$1", "N$2", "N$3", "N$4", "N$5"], ["D2", "D3", "D4", "D5", "RESET"], []),
+    "a programmer": (["MOSI", "MISO", "SCK", "RST"], ["D11", "D12", "D13", "RESET"], []),
+    "beside drawn devices": (["LEFT", "RIGHT"], ["D2", "D3"], ["D2", "D3"]),
+}
+KEPT = {
+    "a bus with chip select": (["MOSI", "MISO", "SCK", "CE", "CSN"], ["D11", "D12", "D13", "D9", "D10"], []),
+    "nets with names of their own": (["BUMP_L", "BUMP_R", "D7", "D8"], ["D2", "D3", "D4", "D5"], []),
+    "nets without names": (["N$1", "N$2", "N$3", "N$4"], ["D2", "D3", "D4", "D5"], []),
+    "a supply beside a drawn device": (["LEFT", "GND"], ["D2", "GND@1"], ["D2"]),
+    "three pins": (["D2", "D3", "D4"], ["D2", "D3", "D4"], []),
+}
+
+
+@pytest.mark.parametrize("case", [*LED_OUT, *KEPT])
+def test_a_header_that_only_leads_pins_out_is_no_part(case: str, tmp_path: Path) -> None:
+    names, on, devices = (LED_OUT | KEPT)[case]
+    libraries = [
+        device("ARDUINO_UNO", [*UNO, ("RESET", "io")]), device("PINHD-1X8", [(str(n), "pas") for n in range(1, 9)]),
+        device("LED", TWO, "LED"),
+    ]  # fmt: skip
+    parts = [part("JP1", "PINHD-1X8"), part("U1", "ARDUINO_UNO")] + [part(f"LED{n}", "LED") for n in range(len(devices))]
+    nets = [
+        net(name, f"U1.{pin}", f"JP1.{n}", *(f"LED{devices.index(pin)}.1" for _ in [0] if pin in devices))
+        for n, (name, pin) in enumerate(zip(names, on, strict=True), 1)
+    ]
+    path = schematic(tmp_path, libraries, parts, nets)
+    circuit, findings = read_circuit(path)
+    header = circuit.components[0]
+    assert [header.role.name, bool(said(findings, "RS259"))] == (["Passive", True] if case in LED_OUT else ["Unknown", False])
+    assert ("JP1" in {m["component"] for m in hardware(path).result["mappings"]}) == (case in KEPT)
+
+
+def test_a_role_from_the_user_makes_a_header_a_part(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("PINHD-1X4", HEADER)]
+    nets = [net(f"D{n}", f"U1.D{n}", f"JP1.{n - 1}") for n in range(2, 6)]
+    path = schematic(tmp_path, libraries, [part("U1", "ARDUINO_UNO"), part("JP1", "PINHD-1X4")], nets)
+    assert read_circuit(path)[0].components[1].role is hw.Role.Passive
+    assert read_circuit(path, roles={"JP1": "Input"})[0].components[1].role is hw.Role.Input
+
+
+def test_inputs_of_the_converter_are_called_ain_unless_the_symbol_has_a0(tmp_path: Path) -> None:
+    old = [(f"PWM/{n}", "io") for n in range(2, 8)] + [("AIN0", "io"), ("AIN4/SDA", "io"), ("MISO/12", "io")]
+    parts = [part("U1", "UNO"), part("J1", "PINHD-1X4")]
+    nets = [net("N$1", "U1.AIN0", "J1.1"), net("N$2", "U1.AIN4/SDA", "J1.2"), net("N$3", "U1.MISO/12", "J1.3")]
+    assert pins(schematic(tmp_path, [device("UNO", old), device("PINHD-1X4", HEADER)], parts, nets)) == {
+        "A0": "J1", "A4": "J1", "D12": "J1",
+    }  # fmt: skip
+    both = [*UNO, ("AIN0", "io")]
+    path = schematic(
+        tmp_path, [device("UNO", both), device("PINHD-1X4", HEADER)], parts,
+        [net("N$1", "U1.AIN0", "J1.1"), net("N$2", "U1.A0", "J1.2")],
+    )  # fmt: skip
+    assert [(m["pin"], [c["name"] for c in m["connectors"]]) for m in hardware(path).result["mappings"]] == [("A0", ["2"])]
+
+
+@pytest.mark.parametrize(
+    ("symbol", "board"),
+    [("NANO_FOOTPRINT", "nano"), ("ARD-NANO", "nano"), ("UNO", "uno"), ("ARDUINO_NANO_EVERY", ""), ("NANO_33_IOT", ""),
+     ("ARDUINO_NANO_ESP32", ""), ("ARDUINO_UNO_R4_WIFI", "")],
+)  # fmt: skip
+def test_boards_are_known_by_their_names_and_those_of_other_microcontrollers_are_not(
+    symbol: str, board: str, tmp_path: Path
+) -> None:
+    path = schematic(tmp_path, [device(symbol, UNO), device("LED", TWO)], [part("J1", symbol), part("LED1", "LED")], [])
+    assert read_circuit(path)[0].components[0].boardName == board
+
+
+@pytest.mark.parametrize(("name", "reached"), [("VIN", False), ("+5V", False), ("G", True), ("SENSE", True)])
+def test_a_net_that_is_called_like_a_supply_is_a_rail(name: str, reached: bool, tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("R", TWO, "Resistor"), device("LED", TWO, "LED")]
+    parts = [part("U1", "ARDUINO_UNO"), part("R1", "R"), part("LED1", "LED")]
+    path = schematic(tmp_path, libraries, parts, [net("A", "U1.D2", "R1.1"), net(name, "R1.2", "LED1.1")])
+    assert pins(path) == ({"D2": "LED1"} if reached else {})
 
 
 def test_solder_jumpers_are_not_crossed(tmp_path: Path) -> None:

@@ -15,7 +15,9 @@ from robosmi.transformations.queries.circuits.circuit import circuit_graph
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.fritzing.container import read_container
 from robosmi.transformations.t2m.fritzing.document import parse_sketch
-from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, SHARED, zipped
+from tests.evaluation.scoring.sketches import labelled_sketches
+from tests.evaluation.sources import sketch_file
+from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, zipped
 
 
 def read(name: str) -> tuple[hardware.Circuit, list[Finding]]:
@@ -353,10 +355,10 @@ def test_a_damaged_definition_costs_only_that_part(tmp_path: Path) -> None:
     assert component(circuit, "Key").role is hardware.Role.Unknown
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the development set of sketches is not there")
-def test_every_sketch_of_the_development_set_reads() -> None:
-    sketches = sorted((SHARED / "dev").glob("*.fzz"))
-    assert len(sketches) == 44
+def test_every_labelled_sketch_reads() -> None:
+    sketches = [path for label in labelled_sketches() if (path := sketch_file(label)) is not None]
+    if not sketches:
+        pytest.skip("the labelled sketches are not there: make corpus")
     for path in sketches:
         circuit, _ = read_circuit(path)
         assert circuit.components, path.name

@@ -13,7 +13,9 @@ from robosmi.errors import SourceError, UsageError
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.knowledge.electrical_facts import electrical
 from robosmi.transformations.m2t.pin_table import pin_table
-from tests.transformations.t2m.fritzing.support import CASES, SHARED
+from tests.evaluation.scoring.sketches import labelled_sketches
+from tests.evaluation.sources import sketch_file
+from tests.transformations.t2m.fritzing.support import CASES
 
 HERE = Path(__file__).resolve().parent
 KEPT = ("pin", "role", "driver", "signal", "name")
@@ -93,10 +95,12 @@ def test_a_drawing_s_table_gives_the_same_connections(case: str, ending: str, tm
     assert hardware(path).pin_table(path) == path.read_text()
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the development set of sketches is not there")
-def test_tables_of_the_development_set_give_the_same_connections(tmp_path: Path) -> None:
+def test_tables_of_the_labelled_sketches_give_the_same_connections(tmp_path: Path) -> None:
+    sketches = [path for label in labelled_sketches() if (path := sketch_file(label)) is not None]
+    if not sketches:
+        pytest.skip("the labelled sketches are not there: make corpus")
     compared = 0
-    for sketch in sorted((SHARED / "dev").glob("*.fzz")):
+    for sketch in sketches:
         drawn = hardware(sketch)
         titles = [m["component"] for m in drawn.result["mappings"]]
         components = {m["component_model_index"] for m in drawn.result["mappings"]}
@@ -109,7 +113,7 @@ def test_tables_of_the_development_set_give_the_same_connections(tmp_path: Path)
             [m[k] for k in kept if k != "name"] for m in shape(drawn.result["mappings"])
         ], sketch.name
         compared += 1
-    assert compared > 30
+    assert compared > len(sketches) // 2
 
 
 def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -27,8 +27,10 @@ _STUB = "/none/types"
 """A folder that exists on no machine: the program and the replaced headers are passed to libclang as texts."""
 SKETCH = "/none/sketch"
 """The folder of the program's own files, which exists on no machine either."""
+_MACHINES: Mapping[int, str] = {16: "avr", 32: "arm-none-eabi"}
+"""Bits of an int -> a processor that libclang knows, whose types have the widths of the targets with such an int."""
 _FLAGS = (
-    "-target", "avr", "-nostdinc", "-nostdinc++", "-Wno-everything", "-ferror-limit=0", "-fno-spell-checking",
+    "-nostdinc", "-nostdinc++", "-Wno-everything", "-ferror-limit=0", "-fno-spell-checking",
     f"-I{SKETCH}", f"-I{_STUB}",
 )  # fmt: skip
 _NEWER = ("-Werror=c++17-extensions", "-Wno-error=c++17-attribute-extensions")
@@ -54,6 +56,8 @@ class GeneratedProgram:
         adapters: name of the file that contains the adapters.
         pins: names that the target's headers give to pins.
         vast: whether its types are too large for libclang, which takes memory for each member; then nothing is parsed.
+        int_bits: width of an int of the target.
+        char_signed: whether plain char has a sign there.
 
     Attributes:
         files: the files, as given.
@@ -71,6 +75,9 @@ class GeneratedProgram:
         adapters: str = ADAPTERS_FILE,
         pins: Collection[str] = (),
         vast: bool = False,
+        *,
+        int_bits: int = 16,
+        char_signed: bool = True,
     ) -> None:
         self.files, self.adapters, self._vast = files, adapters, vast
         self.texts = {f"{SKETCH}/{name}": data for name, data in files.items()}
@@ -83,7 +90,8 @@ class GeneratedProgram:
         own = _OF_CPP if language == "C++" else _OF_C
         named = "".join(f"extern const uint8_t {pin};\n" for pin in sorted(pins)).encode()
         self.texts[f"{_STUB}/{main_header}"] = _TYPES % (b"bool" if language == "C++" else b"_Bool") + own + named
-        self._flags, self._header = (*_FLAGS, *_LANGUAGE[language]), f"{_STUB}/{main_header}"
+        machine = ("-target", _MACHINES.get(int_bits, _MACHINES[32]), "-fsigned-char" if char_signed else "-funsigned-char")
+        self._flags, self._header = (*machine, *_FLAGS, *_LANGUAGE[language]), f"{_STUB}/{main_header}"
         self.unread: list[str] = []
         self.units = self._parsed(self._flags)
         self._handles = [unit for _, unit in self.units]

@@ -1,7 +1,7 @@
 """The arguments that libclang is called with, and virtual files that exist for it alone.
 
 These are our own standard headers and the prelude, which declares what nothing else does (`prelude`). The arguments are those
-of the research note on libclang, section 8.
+of our measurements of libclang.
 """
 
 from __future__ import annotations

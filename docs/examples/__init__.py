@@ -1,0 +1,1 @@
+"""The examples of the documentation; the line follower is installed with the package, for the command `demo`."""
