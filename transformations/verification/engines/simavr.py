@@ -361,11 +361,12 @@ class _Run(Bench):
         """Put bytes into the microcontroller's own EEPROM."""
         super().store(address, content)
         for number, byte in enumerate(content):
-            at, there = (address + number) % self.store_bytes, ctypes.create_string_buffer(1)
-            for code, byte_at in (("eesp", bytes([byte])), ("eegp", there)):  # both answer -1 even where they have done it
+            at = (address + number) % self.store_bytes
+            given, there = ctypes.create_string_buffer(bytes([byte]), 1), ctypes.create_string_buffer(1)
+            for code, byte_at in (("eesp", given), ("eegp", there)):  # both answer -1 even where they have done it
                 asked = _StoredBytes(ctypes.cast(byte_at, ctypes.c_void_p), at, 1)
                 self._library.avr_ioctl(self._avr, _code(code), ctypes.byref(asked))
-            if there.raw != bytes([byte]):
+            if there.raw != given.raw:
                 raise VerificationError("this simavr does not let its EEPROM be filled", fix="try another engine")
 
     def _register(self, address: int) -> int:
