@@ -39,14 +39,14 @@ def corpus_folder(given: Path | None = None) -> Path | None:
 
 def program_file(label: Mapping[str, Any], corpus: Path) -> Path | None:
     """A labelled program, if it is in the corpus and is the file that was labelled."""
-    path = corpus / label["repository"] / label["path"]
+    path: Path = corpus / label["repository"] / label["path"]
     return path if path.is_file() and hashlib.sha1(path.read_bytes()).hexdigest() == label["sha1"] else None
 
 
 def sketch_file(label: Mapping[str, Any], given: Path | None = None) -> Path | None:
     """A labelled drawing, if it is there and is the file that was labelled."""
     for folder in _folders("drawings", "ROBOSMI_DRAWINGS", given):
-        path = folder / label["repository"].replace("/", "+") / label["path"]
+        path: Path = folder / label["repository"].replace("/", "+") / label["path"]
         if path.is_file() and hashlib.sha256(path.read_bytes()).hexdigest() == label["sha256"]:
             return path
     return None

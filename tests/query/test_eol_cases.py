@@ -1,6 +1,6 @@
 """Our queries against answers of the real engine: every file of `eol/`, through the interpreter of `tests/eol_cases.py`.
 
-`cases-dev.json` holds answers that the engine gave; the other files hold facts of the research note and of the engine's
+`cases-dev.json` holds answers that the engine gave; the other files hold measured facts and those of the engine's
 sources, each with its place (`source`). A case that differs is named with its expected answer.
 """
 

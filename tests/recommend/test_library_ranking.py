@@ -83,10 +83,10 @@ def test_firmata_goes_before_servo_because_of_boards_h() -> None:
 
 
 def test_figures_of_the_papers_formula(data: Labelled) -> None:
-    """Research note, row "(i) paper's formula, title words", dev: top-1 .663 (63 of 95), top-5 .832, MRR .734, nDCG@5 .547.
+    """An independent implementation over title words gave top-1 .663 (63 of 95), top-5 .832, MRR .734, nDCG@5 .547.
 
     Top-1 is .684 here: two queries of 95 more, one of them by the order of ties (.674 with ties in the order of the
-    facts). The note's abstention is with a threshold that was tuned; the paper has none, so it is not compared.
+    facts). Its abstention had a tuned threshold; the paper has none, so that is not compared.
     """
     figures = data.score([_paper(query) for query in data.components])
     assert figures["top5"] == pytest.approx(0.832, abs=0.001)

@@ -50,7 +50,7 @@ _BOARD_KEYS = (
     "drawn_symbols",
 )
 _DRAWN_KEYS = {
-    "drawn_as": ("tool", "modules", "connectors"),
+    "drawn_as": ("tool", "modules", "connectors", "names"),
     "drawn_chips": ("chips", "least_pins", "most_pins"),
     "drawn_symbols": ("called", "not"),
 }

@@ -22,11 +22,15 @@ PIN_TABLE = "pin table"
 
 
 class DrawnBoard(Struct, frozen=True):
-    """How a board is drawn: its short name, its title, and the pin label of each connector that is a pin."""
+    """How a board is drawn: its short name, its title, the pin label of each connector that is a pin, and names.
+
+    `names` has those of further connectors (`GND`, `RUN`), where the tool's names do not say what they carry.
+    """
 
     name: str
     title: str
     pins: Mapping[str, str]
+    names: Mapping[str, str] = {}
 
 
 def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBoard | None:
@@ -56,7 +60,7 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
         for drawn in table.tables("drawn_as", needed=False):
             if drawn.text("tool") == tool and wanted in (_plain(each) for each in drawn.texts("modules")):
                 board = _with_pins(path, table, project)
-                return DrawnBoard(path.stem, board.text("title", path.stem), _connectors(drawn, board))
+                return DrawnBoard(path.stem, board.text("title", path.stem), _connectors(drawn, board), _other_names(drawn))
     return None
 
 
@@ -88,6 +92,12 @@ def _connectors(drawn: DataTable, board: DataTable) -> dict[str, str]:
                 raise table.error(label, f"has {connector}, which is already {found[connector]}")
             found[connector] = label
     return found
+
+
+def _other_names(drawn: DataTable) -> dict[str, str]:
+    """Connector -> name of what it is, for connectors that are no pins."""
+    table = drawn.table("names", needed=False)
+    return {connector: name for name in table.values for connector in table.texts(name)}
 
 
 _NOT_PINS = re.compile(

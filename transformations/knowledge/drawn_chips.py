@@ -18,6 +18,8 @@ from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
 
 _PORT = re.compile(r"(?<![A-Z0-9])(P[A-L][0-7]|ADC[67])(?![0-9])", re.IGNORECASE)
 _CHIP = re.compile(r"(?<![A-Z])(?:AT)?((?:MEGA|TINY)[0-9]+[A-Z0-9]*)", re.IGNORECASE)
+_PACKAGE = re.compile(r"(?:TQFP|QFN|QFP|MLF|PDIP|DIP|SOIC|SMD|SMT)[0-9]*$")
+_REMARK = re.compile(r"\([^()]*\)")
 
 
 class DrawnChip(Struct, frozen=True):
@@ -40,7 +42,8 @@ def chip_named(texts: Iterable[str]) -> str:
     Args:
         texts: what the drawing says of a part, what counts most first: its value goes before its symbol.
     """
-    return next((f"AT{found[1].upper()}" for text in texts if (found := _CHIP.search(text)) is not None), "")
+    found = next((found[1].upper() for text in texts if (found := _CHIP.search(text)) is not None), "")
+    return f"AT{_PACKAGE.sub('', found)}" if found else ""
 
 
 def drawn_chip(texts: Iterable[str], connectors: Mapping[str, str], project: Path | None = None) -> DrawnChip | None:
@@ -70,8 +73,11 @@ def drawn_chip(texts: Iterable[str], connectors: Mapping[str, str], project: Pat
 
 
 def port_of(name: str) -> str:
-    """The port that the name of a microcontroller's pin has in it (`PB5`), or an empty text."""
-    found = _PORT.search(name)
+    """The port that the name of a microcontroller's pin has in it (`PB5`), or an empty text.
+
+    What stands in brackets counts only where no port is outside of them: in `(PD0/MISO)PB3`, PD0 is a line of the programmer.
+    """
+    found = _PORT.search(_REMARK.sub(" ", name)) or _PORT.search(name)
     return found[1].upper() if found is not None else ""
 
 

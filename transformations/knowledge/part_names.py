@@ -109,6 +109,8 @@ class PartNames(Struct, frozen=True):
     headers: tuple[str, ...] = ()
     header_families: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
+    test_points: tuple[str, ...] = ()
+    programmers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = {}
     joined: tuple[JoinedPins, ...] = ()
     signals: tuple[ConditionalSignal, ...] = ()
@@ -260,6 +262,8 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         headers=drawn.texts("headers", ()),
         header_families=drawn.texts("header_families", ()),
         solder_jumpers=drawn.texts("solder_jumpers", ()),
+        programmers=drawn.texts("programmers", ()),
+        test_points=drawn.texts("test_points", ()),
         symbols={means: symbols.texts(means) for means in symbols.values},
         joined=tuple(
             JoinedPins(entry.texts("called"), entry.lists_of_texts("joined"), entry.optional_number("pins") or 0)

@@ -46,13 +46,33 @@ def classify(part: Part, project: Path | None = None) -> Part:
     """
     if (curated := _curated(part, project)) is not None:
         return curated
+    found = _first_rule(part, project)
+    return _with(part, *found) if found is not None else part
+
+
+def is_connector(part: Part, project: Path | None = None) -> bool:
+    """Whether the first rule that fits a part says that something is plugged in there (`connector`), whatever it is.
+
+    Args:
+        part: the part, without a role.
+        project: the project folder, whose own rules go first; the current folder if None.
+
+    Raises:
+        PlatformDataError: the rules are damaged.
+    """
+    found = _first_rule(part, project)
+    return found is not None and bool(found[0].get("connector"))
+
+
+def _first_rule(part: Part, project: Path | None) -> tuple[RoleRule, str] | None:
+    """The rule that decides the role of a part, with the clue by which it fits."""
     about = f"{_without_remarks(part.title)} / {part.family}"
     for known in role_rules(project):
         for number, clue in _clues(part, known, names(project)):
             forbidden = known.forbidden[number]
             if forbidden is None or about not in forbidden:
-                return _with(part, known.rules[number], clue)
-    return part
+                return known.rules[number], clue
+    return None
 
 
 def classify_by_id(part: Part, project: Path | None = None) -> Part:
@@ -202,7 +222,7 @@ def _family_clue(family: str, tool: str, rule: RoleRule) -> str:
     return f"family '{family}'" if found else ""
 
 
-_FLAGS = ("driver", "first", "weak", "tags")
+_FLAGS = ("driver", "first", "weak", "tags", "connector")
 _LISTS = ("words", "not", "named")
 _BY_TOOL = ("ids", "families")
 _RULE_KEYS = ("role", "why", "connectors", *_FLAGS, *_LISTS, *_BY_TOOL)
@@ -224,6 +244,7 @@ class RoleRule(_ListsOfRule, total=False):
     first: bool
     weak: bool
     tags: bool
+    connector: bool
     connectors: list[list[str]]
     ids: ByTool
     families: ByTool

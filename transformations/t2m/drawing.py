@@ -81,17 +81,18 @@ class CircuitBuilder:
         """Add a finding about what is unknown, odd or left out."""
         self.findings.append(Finding(rule, severity, message, Location(self.path, line), fix=fix, evidence=evidence))
 
-    def give_roles(self, roles: Mapping[str, str], titles: Mapping[str, str]) -> None:
+    def give_roles(self, roles: Mapping[str, str], titles: Mapping[str, str], former: Mapping[str, str] | None = None) -> None:
         """Set the roles that the user gives, which take precedence over all others.
 
         Args:
             roles: COMPONENT (title or `#identity`) -> role.
             titles: the title of each component that is placed, by identity.
+            former: titles that count where no component has them as its title, by identity.
 
         Raises:
             UsageError: a role or a component does not exist, or a title is not unique.
         """
-        self._given = given_roles(roles, titles)
+        self._given = given_roles(roles, titles, former)
 
     def know(self, part_id: str, defined: Part | None = None, board: DrawnBoard | None = None, own: bool = False) -> KnownPart:
         """Look up a part, to be called before it is placed.
@@ -330,6 +331,8 @@ class CircuitBuilder:
             extra = sorted((c for c in drawn - part.connectors.keys() if c), key=natural)
             facts += [PartConnector(c, pins.get(c, "")) for c in extra]
         facts = [self._renamed(fact, placed.names.get(fact.id, "")) for fact in facts] if placed.names else facts
+        if known.board is not None and known.board.names:
+            facts = [self._renamed(fact, known.board.names.get(fact.id, "")) for fact in facts]
         if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
             facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
         if signals := conditional_signals((fact.name for fact in facts), self.names):

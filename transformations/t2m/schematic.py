@@ -31,11 +31,12 @@ from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_boa
 from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind
-from robosmi.transformations.knowledge.part_roles import classify
+from robosmi.transformations.knowledge.part_roles import classify, is_connector
 from robosmi.transformations.knowledge.wildcards import fits
+from robosmi.transformations.queries.circuits.former_titles import SHEET, title_on_sheet
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.transformations.t2m.schematic_headers import HeaderPin, why_no_part, words_of
+from robosmi.transformations.t2m.schematic_headers import OF_THE_BOARD, PROGRAMMER, HeaderPin, why_no_part, words_of
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -53,6 +54,7 @@ class SchematicPart(Struct, frozen=True):
     Attributes:
         identity: the tool's own identity of it, unique in the drawing.
         title: its reference in the drawing.
+        sheet: names of the sheets above it, joined by `/`; empty on the root sheet.
         symbol: what the library calls the symbol.
         listed_as: its id in the tool's catalogue.
         family: name of its library.
@@ -81,6 +83,16 @@ class SchematicPart(Struct, frozen=True):
     line: int | None = None
     power: bool = False
     defined: bool = True
+    sheet: str = ""
+
+
+def with_unique_titles(parts: Sequence[SchematicPart]) -> list[SchematicPart]:
+    """The parts, those whose reference another part has with the names of their sheets before it (`left/D1`)."""
+    counts = Counter(part.title for part in parts)
+    return [
+        replace(part, title=title_on_sheet(part.sheet, part.title)) if counts[part.title] > 1 and part.sheet else part
+        for part in parts
+    ]
 
 
 class SchematicNet(Struct):
@@ -163,6 +175,8 @@ class _Making:
             return replace(found, buses=self._joined(part)), board, False
         if (chip := self._chip(part)) and part.identity not in self.chips:
             return replace(found, role="Board", evidence=f"a bare {chip}, which runs a program"), None, False
+        if len(part.pins) == 1 and self._called(part, self.builder.names.test_points):
+            return replace(found, role="Passive", evidence="a point to measure at"), None, False
         if part.identity in self.headers:
             return self._header(part, found)
         if part.value:
@@ -254,10 +268,14 @@ class _Making:
             return False
         if self._called(part, self.builder.names.headers):
             return True
-        if not any(fits(part.family.lower(), pattern) for pattern in self.builder.names.header_families):
-            return False
-        drawn = Part(part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, description=part.description)
-        return classify(replace(drawn, tool=self.builder.tool), self.project).role in ("Passive", "Unknown")
+        drawn = Part(
+            part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, tool=self.builder.tool,
+            description=part.description,
+        )  # fmt: skip
+        if is_connector(drawn, self.project) and "jumper" not in f"{part.symbol} {part.family} {part.description}".lower():
+            return True
+        told = any(fits(part.family.lower(), pattern) for pattern in self.builder.names.header_families)
+        return told and classify(drawn, self.project).role in ("Passive", "Unknown")
 
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
         for text, what, own in ((part.value, "for", False), (part.title, "labelled", True)):
@@ -272,7 +290,10 @@ class _Making:
         ]
         title = part.value or ", ".join(signals[:_NET_NAMES]) or part.symbol
         found = replace(found, title=title, family="", description="", evidence="a header without a drawn device")
-        if why := why_no_part([self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())]):
+        on = [self._header_pin(End(part.identity, pin)) for pin in self.used.get(part.identity, ())]
+        texts = [text.lower() for text in (part.symbol, part.value, part.title)]
+        programmer = any(pin.pins for pin in on) and any(_any_fits(text, self.builder.names.programmers) for text in texts)
+        if why := PROGRAMMER if programmer else why_no_part(on, part.title):
             self.report(
                 "RS259", Severity.info, f"the header '{part.title}' counts as no part: {why}", part.line,
                 "give its role in robosmi.toml under [roles] if a part is plugged in there",
@@ -293,6 +314,7 @@ class _Making:
             named=any(self._names_pin(net.name, end) for net in nets for end in boards if self._label(end)),
             bus=any(words_of(net.name) & _BUS_LINES for net in nets),
             words=words_of(*names, *(net.name for net in nets)),
+            led_out=not labels and bool(words_of(*names) & OF_THE_BOARD),
             supply=not labels
             and (any(kind in ("supply", "ground") for kind in kinds) or any(self.parts[e.component].power for e in ends)),
             device=any(self._role(end) in ("Input", "Output", "Both", "Unknown") for end in ends),
@@ -359,6 +381,8 @@ class _Making:
         key = self.known[part.identity][0]
         used = self.used.get(part.identity, {})
         properties = {**({"value": part.value} if part.value else {}), **part.properties}
+        if part.sheet:
+            properties[SHEET] = part.sheet
         placed = Placed(
             identity=part.identity, part_id=key, title=part.title, properties=properties, used=used, line=part.line,
             symbol=part.power, listed_as=part.listed_as,
@@ -456,15 +480,17 @@ def drawn_symbol(
     """
     if len(connectors) < least:
         return None
-    for text in texts:
-        called = _SPELLED.sub(" ", text.lower()).strip()
+    spelled = [_SPELLED.sub(" ", text.lower()).strip() for text in texts]
+    for called in spelled:
         for path in drawing_files(project) if called else ():
             if "drawn_symbols" not in text_of(path) or only_draws(path):
                 continue
             table = table_of(path)
             check_drawn(table)
             for entry in table.tables("drawn_symbols", needed=False):
-                if not _any_fits(called, entry.texts("called")) or _any_fits(called, entry.texts("not", ())):
+                if not _any_fits(called, entry.texts("called")) or any(
+                    _any_fits(each, entry.texts("not", ())) for each in spelled
+                ):
                     continue
                 pins = labelled_pins(table, connectors)
                 if len(pins) >= least:
@@ -480,8 +506,9 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
     """Connector -> label of the board's pin, for connectors whose names say one."""
     pins = table.tables("pins")
     labels = {pin.text("label") for pin in pins}
+    ports = {pin.text("port", "").upper(): pin.text("label") for pin in pins}
     aliases = {alias: pin.text("label") for pin in pins for alias in pin.texts("aliases", ())}
-    found = {connector: _label(name, labels, aliases) for connector, name in connectors.items()}
+    found = {connector: _of_port(name, ports) or _label(name, labels, aliases) for connector, name in connectors.items()}
     told = {connector: label for connector, label in found.items() if label}
     given = {*told.values()}
     for connector, name in connectors.items():
@@ -490,6 +517,12 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
             if label in labels - given:  # beside A0 it is an input of the comparator
                 told[connector] = label
     return told
+
+
+def _of_port(name: str, ports: Mapping[str, str]) -> str:
+    """The label of the pin whose port a name has; it goes before other names: `(AD0)PA0` is no analogue input."""
+    words = re.split(r"[/ _()]", name.upper())
+    return ports.get(port_of(name), "") or next((ports[word] for word in words if word.startswith("GPIO") and word in ports), "")
 
 
 def _label(name: str, labels: set[str], aliases: Mapping[str, str]) -> str:

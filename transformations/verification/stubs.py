@@ -73,7 +73,7 @@ def stubs_of(plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch
             line, what = _declaration(str(use.name), str(use.placeholder), texts)
             declared.append(line)
             told.append(what)
-    guard = "ROBOSMI_MISSING_HEADERS"
+    guard = "STUBS_OF_MISSING_HEADERS"
     text = "\n".join([f"#ifndef {guard}", f"#define {guard}", *declared, "#endif", ""])
     return Stubs(functions, dict.fromkeys(missing, text), tuple(told))
 

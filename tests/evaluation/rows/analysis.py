@@ -138,7 +138,7 @@ def constructs(_: Setting) -> Got:
     elements = list(all_contents(robosmi.load_code(INPUTS / "constructs.cpp")))
     unknown = [e for e in elements if type(e).__name__.startswith("Unknown")]
     kinds = {type(e).__name__ for e in elements} - {type(e).__name__ for e in unknown}
-    shown = f" ({', '.join(sorted(str(e.text) for e in unknown))})" if unknown else ""
+    shown = f" ({', '.join(sorted(str(getattr(e, 'text', '')) for e in unknown))})" if unknown else ""
     return Got(f"{len(elements)} elements of {len(kinds)} classes, {len(unknown)} of an unknown kind{shown}", len(unknown) <= 1)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from collections import Counter
 
 import robosmi
 from robosmi.api import MigratedSketch
@@ -14,7 +15,7 @@ from tests.evaluation.table import DIFFERS, EXCEEDED, Got, Setting, row
 
 TODO = "TODO: complete method"
 PAPER_GROWTH, POINTS = 1.40, 0.15
-STEPS = {"code", "hardware", "libraries", "generation"}
+STEPS, COLOURED = {"code", "hardware", "libraries", "generation"}, {"code", "hardware", "libraries"}
 """The steps by which the paper colours Listing 3."""
 EXAMPLES = {"high": "oneToOne", "freqout": "oneToMany", "dht22_getHumidity": "manyToOne", "drive_speed": "semantic"}
 """The paper's own examples of correspondence (5.3, RQ2)."""
@@ -42,18 +43,17 @@ def listing_3(_: Setting) -> Got:
 @row(
     "D2",
     "RQ1",
-    "each generated line belongs to a step",
+    "colours say which step a generated line comes from",
     "Listing 3",
-    "all lines of the port constants, includes and adapters have one",
-    "links of the plan's trace to the texts",
+    "three colours: the program, the drawing, the libraries; none for the template",
+    "the report of Listing 1 in placeholder mode",
 )
 def steps(_: Setting) -> Got:
-    plan = migrated("Listing 1", "placeholders").models.plan
-    assert plan.trace is not None
-    links = [link for link in plan.trace.texts if str(link.path).endswith((".ino", "adapters.h"))]
-    named = {str(link.step) for link in links}
-    told = all(link.step and link.rule for link in links)
-    return Got(f"{len(links)} links, steps: {', '.join(sorted(named))}", told and bool(links) and len(named) >= 3)
+    document = str(content("chain", "page")(migrated("Listing 1", "placeholders").output, None).document(live=False, nonce=""))
+    lines = Counter(re.findall(r'data-why="[^"]*\((code|hardware|libraries|generation)\)"', document))
+    coloured = set(re.findall(r'\[data-why\$="\((\w+)\)"\]', document))
+    shown = ", ".join(f"{count} {name}" for name, count in sorted(lines.items()))
+    return Got(f"lines: {shown}; with a colour: {', '.join(sorted(coloured))}", lines.keys() == STEPS and coloured == COLOURED)
 
 
 @row(

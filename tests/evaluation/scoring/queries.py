@@ -106,4 +106,4 @@ def _of_class(answer: Recommendation, kind: str, graded: Mapping[str, int], got:
 
 
 def _gain(grades: list[int]) -> float:
-    return sum((2**grade - 1) / math.log2(place + 2) for place, grade in enumerate(grades[:CONSIDERED]))
+    return math.fsum((2**grade - 1) / math.log2(place + 2) for place, grade in enumerate(grades[:CONSIDERED]))

@@ -1,4 +1,4 @@
-"""What a code model must answer to beat the paper's driver, line by line (research/emc-cdt.md, "Beat list" A to I), on each view.
+"""What a code model must answer to beat the paper's driver, line by line (points A to I), on each view.
 
 Each test has the letter of its line. Line G is also held by every test that writes a model: EMF judges them all.
 """

@@ -24,6 +24,7 @@ from robosmi.transformations.knowledge.libraries.library_takes import Takes, lib
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.queries.circuits.circuit import component_named
+from robosmi.transformations.queries.circuits.former_titles import former_title
 
 NO_LIBRARY = "none"
 """The choice that a component needs no library."""
@@ -165,7 +166,7 @@ def choose_libraries(
     kept = {
         identity: said
         for (identity, title), said in (stored or {}).items()
-        if any((c.elementId, c.title) == (identity, title) for c in circuit.components)
+        if any(c.elementId == identity and title in (c.title, former_title(c)) for c in circuit.components)
         and (said.value == NO_LIBRARY or models.index.library_named(said.value) is not None)
     }
     by_person = {**{identity: said.value for identity, said in kept.items()}, **by_person}

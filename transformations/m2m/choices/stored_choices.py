@@ -14,6 +14,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import migration
+from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 
 DIFFERENT, GONE = "RS413", "RS414"
 
@@ -117,8 +118,10 @@ def _subjects(
         yield binding, f"the port '{binding.name}'", "bind", stored.ports.get(str(binding.name))
     for choice in plan.libraryChoices:
         if choice.component is not None:
-            key = (str(choice.component.elementId), str(choice.component.title))
-            yield choice, f"the library of '{choice.component.title}'", "libraries", stored.libraries.get(key)
+            component = choice.component
+            titles = (str(component.title), former_title(component))
+            said = next((found for t in titles if (found := stored.libraries.get((str(component.elementId), t)))), None)
+            yield choice, f"the library of '{component.title}'", "libraries", said
 
 
 def _of(said: Mapping[str, str], decision: migration.Decision) -> str | None:
@@ -126,14 +129,15 @@ def _of(said: Mapping[str, str], decision: migration.Decision) -> str | None:
     if isinstance(decision, migration.PortBinding):
         return next((said[name] for name in (decision.name, *decision.names) if name in said), None)
     component = decision.component if isinstance(decision, migration.LibraryChoice) else None
-    names = (f"#{component.elementId}", component.title) if component is not None else ()
+    names = (f"#{component.elementId}", component.title, former_title(component)) if component is not None else ()
     return next((said[name] for name in names if name in said), None)
 
 
 def _meant(value: str, plan: migration.MigrationPlan) -> object:
     """A value in normal form, so that different names of one pin or connection compare equal."""
     for connection in plan.connections:
-        if connection.pin is not None and value in (connection.name, connection.pin.label, *connection.pin.aliases):
+        names = (connection.name, former_name(connection))
+        if connection.pin is not None and value in (*names, connection.pin.label, *connection.pin.aliases):
             return id(connection.pin)
     pins = plan.board.pins if plan.board is not None else ()
     return next((id(pin) for pin in pins if value in (pin.label, *pin.aliases)), value.lower())
@@ -142,7 +146,8 @@ def _meant(value: str, plan: migration.MigrationPlan) -> object:
 def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]:
     """Findings about stored choices whose port or component no longer exists."""
     ports = {str(b.name) for b in plan.portBindings}
-    components = {(str(c.component.elementId), str(c.component.title)) for c in plan.libraryChoices if c.component is not None}
+    drawn = [c.component for c in plan.libraryChoices if c.component is not None]
+    components = {(str(c.elementId), title) for c in drawn for title in (str(c.title), former_title(c))}
     gone = [_gone(f"the port '{name}'", said, stored) for name, said in stored.ports.items() if name not in ports]
     return gone + [
         _gone(f"the library of '{title}'", said, stored)

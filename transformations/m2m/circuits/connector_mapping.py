@@ -94,6 +94,7 @@ def map_connectors(
                         fix="check the wiring of the pins; one net cannot connect everything",
                     )
     called = _names(mapped, state)
+    wired = {id(end) for wire in circuit.wires for end in wire.ends}
     connections = [
         migration.Connection(
             name=name,
@@ -101,7 +102,7 @@ def map_connectors(
             pin=one.pin,
             boardConnectors=one.board_connectors,
             component=one.reached.component,
-            connectors=one.reached.connectors,
+            connectors=_contacts(one.reached, wired),
             via=one.reached.via,
         )
         for one, name in zip(mapped, called, strict=True)
@@ -229,6 +230,20 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
     if named:
         said = " and ".join(filter(None, [", ".join(named[:-1]), named[-1]]))
         state.report("RS226", Severity.info, f"{label} of '{_title(board)}' is wired to {said}")
+
+
+def _contacts(reached: ReachedComponent, wired: Container[int]) -> list[hardware.Connector]:
+    """The connectors that a path met, one of each group that the part joins inside: the first that has a wire.
+
+    The others of the group are the same contact of a switch, or hand an input on to the next part of a chain. All count where
+    the drawing does not say which is wired, as on a breadboard; so do those of one name, which are one pin on two headers.
+    """
+    left = list(reached.connectors)
+    for bus in reached.component.buses:
+        group = [connector for connector in left if connector in bus.connectors]
+        if (first := next((c for c in group if id(c) in wired), None)) is not None:
+            left = [each for each in left if each not in group or displayed_name(each) == displayed_name(first)]
+    return left
 
 
 def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:

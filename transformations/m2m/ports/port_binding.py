@@ -29,6 +29,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
 from robosmi.transformations.queries.circuits.component_kinds import misleading_title
+from robosmi.transformations.queries.circuits.former_titles import former_name
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
@@ -261,7 +262,7 @@ def _chosen(
     said: str, connections: Sequence[migration.Connection], board: platform.Board
 ) -> tuple[migration.Connection | None, platform.Pin | None]:
     """The connection that a person's choice names, or the pin if no connection is there."""
-    named = [c for c in connections if c.name == said]
+    named = [c for c in connections if c.name == said] or [c for c in connections if former_name(c) == said]
     on_pin = [c for c in connections if c.pin is not None and said in (c.pin.label, *c.pin.aliases)]
     if named or on_pin:
         connection = (named or on_pin)[0]

@@ -17,6 +17,7 @@ from robosmi.quoting import toml
 from robosmi.transformations.knowledge.part import GIVEN
 from robosmi.transformations.queries.circuits.circuit_walk import beyond_driver, either_side
 from robosmi.transformations.queries.circuits.connector_names import ConnectorNames
+from robosmi.transformations.queries.circuits.former_titles import former_title
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -79,6 +80,7 @@ def component_named(circuit: hardware.Circuit, name: str) -> hardware.Component:
     if name.startswith("#") and (exact := Q(circuit.components).select_one(lambda c: c.elementId == name[1:])) is not None:
         return exact
     found = Q(circuit.components).select(lambda c: c.title == name)
+    found = found or Q(circuit.components).select(lambda c: former_title(c) == name)
     if len(found) == 1:
         return found[0]
     if found:

@@ -26,7 +26,7 @@ from robosmi.transformations.t2m.kicad.sheet import (
     of_library,
     placed_at,
 )
-from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
+from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart, with_unique_titles
 
 MOST_SHEETS = 1_000
 """Sheets of a drawing, counted once for each use of a sheet file."""
@@ -40,6 +40,7 @@ class _Part(Struct):
 
     identity: str
     title: str
+    sheet: str
     symbol: SheetSymbol
     library: LibrarySymbol | None
     nodes: list[tuple[str, Node]] = []
@@ -66,7 +67,7 @@ class Hierarchy:
 
     def fill(self, made: Schematic) -> None:
         """Add the parts and nets to a schematic."""
-        made.parts = [self._part(part) for part in self.parts.values()]
+        made.parts = with_unique_titles([self._part(part) for part in self.parts.values()])
         ends: dict[Node, dict[End, None]] = {}
         for part in self.parts.values():
             for connector, node in part.nodes:
@@ -169,7 +170,7 @@ class Hierarchy:
         while identity in self.parts:
             number += 1
             identity = f"{identity.partition(' ')[0]} {number}"
-        made = _Part(identity, "/".join((*names, reference)), symbol, library, units={unit})
+        made = _Part(identity, reference, "/".join(names), symbol, library, units={unit})
         self.parts[identity] = made
         self._by_reference.setdefault(key, made)
         return made
@@ -196,6 +197,7 @@ class Hierarchy:
             family=family, value="" if value in (name, "~") else value, description=library.description if library else "",
             tags=tuple(library.keywords.split()) if library else (), pins=pins, properties=kept,
             line=symbol.line if symbol in self.root.symbols else None, power=power, defined=library is not None,
+            sheet=part.sheet,
         )  # fmt: skip
 
     def _error(self, cause: str, line: int) -> SourceError:

@@ -7,7 +7,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, text_of, word
 from robosmi.transformations.t2m.kicad.sheet import net_name, of_library
-from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
+from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart, with_unique_titles
 
 MOST_PARTS = 50_000
 """Parts of a netlist."""
@@ -46,6 +46,7 @@ class _Netlist:
             raise SourceError(f"it has more than {MOST_PARTS:,} parts", location=place, fix=fix)
         for entry in components:
             self._component(entry, library)
+        self.made.parts = with_unique_titles(self.made.parts)
         self._nets(sections["nets"])
 
     def _told(self, listed: Expression, name: str) -> str:
@@ -83,7 +84,7 @@ class _Netlist:
             identity = free_identity(f"{identity} {reference or line}", line, self.identities)
         self.identities.add(identity)
         made = SchematicPart(
-            identity=identity, title="/".join((*path, reference)), symbol=name or value,
+            identity=identity, title=reference, sheet="/".join(path), symbol=name or value,
             listed_as=f"{family}:{name}" if family else name or value, family=family, value="" if value in (name, "~") else value,
             description=text_of(source, "description") or (known[0] if known is not None else ""),
             pins=known[1] if known is not None else {}, properties=fields, line=line, defined=known is not None,

@@ -1,6 +1,7 @@
 """The transformation itself: a KiCad schematic or netlist in, a `hardware.Circuit` and findings out.
 
-Parts have KiCad's own ids as identities, and their references, prefixed with the names of their sheets, as titles. The format
+Parts have KiCad's own ids as identities, and their references as titles, with the names of their sheets where several parts
+have one reference. The format
 of a file is recognised by its first bytes; each format is read by a module of its own, and `schematic` decides what symbols
 stand for.
 """
@@ -15,6 +16,7 @@ from pathlib import Path
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
+from robosmi.transformations.queries.circuits.former_titles import title_on_sheet
 from robosmi.transformations.t2m.companions import DrawingFolder
 from robosmi.transformations.t2m.drawing import CircuitBuilder
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
@@ -94,7 +96,8 @@ def read_circuit(
         old = _OLD_NETLIST.match(begins) is not None
         cause = "netlists of KiCad 3 and before are not supported" if old else "it is neither a schematic nor a netlist of KiCad"
         raise SourceError(cause, location=Location(str(path), 1), fix=FIX)
-    builder.give_roles(roles or {}, {part.identity: part.title for part in made.parts})
+    former = {part.identity: title_on_sheet(part.sheet, part.title) for part in made.parts if part.sheet}
+    builder.give_roles(roles or {}, {part.identity: part.title for part in made.parts}, former)
     return circuit_of(made, builder), builder.findings
 
 

@@ -361,12 +361,11 @@ class _Run(Bench):
         """Put bytes into the microcontroller's own EEPROM."""
         super().store(address, content)
         for number, byte in enumerate(content):
-            at = (address + number) % self.store_bytes
-            given, there = ctypes.create_string_buffer(bytes([byte]), 1), ctypes.create_string_buffer(1)
-            for code, byte_at in (("eesp", given), ("eegp", there)):  # both answer -1 even where they have done it
-                asked = _StoredBytes(ctypes.cast(byte_at, ctypes.c_void_p), at, 1)
-                self._library.avr_ioctl(self._avr, _code(code), ctypes.byref(asked))
-            if there.raw != given.raw:
+            at, there = (address + number) % self.store_bytes, ctypes.create_string_buffer(1)
+            for code, buffer in (("eesp", ctypes.create_string_buffer(bytes([byte]), 1)), ("eegp", there)):
+                asked = _StoredBytes(ctypes.cast(buffer, ctypes.c_void_p), at, 1)
+                self._library.avr_ioctl(self._avr, _code(code), ctypes.byref(asked))  # answers -1 even if it has done it
+            if there.raw != bytes([byte]):
                 raise VerificationError("this simavr does not let its EEPROM be filled", fix="try another engine")
 
     def _register(self, address: int) -> int:

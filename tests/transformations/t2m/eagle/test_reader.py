@@ -90,6 +90,7 @@ LED_OUT = {
 KEPT = {
     "a bus with chip select": (["MOSI", "MISO", "SCK", "CE", "CSN"], ["D11", "D12", "D13", "D9", "D10"], []),
     "nets with names of their own": (["BUMP_L", "BUMP_R", "D7", "D8"], ["D2", "D3", "D4", "D5"], []),
+    "a net that resets a device": (["CLOCK", "LATCH", "DATA", "CHAR", "REG_RESET"], ["D2", "D3", "D4", "D5", "D6"], []),
     "nets without names": (["N$1", "N$2", "N$3", "N$4"], ["D2", "D3", "D4", "D5"], []),
     "a supply beside a drawn device": (["LEFT", "GND"], ["D2", "GND@1"], ["D2"]),
     "three pins": (["D2", "D3", "D4"], ["D2", "D3", "D4"], []),
@@ -113,6 +114,59 @@ def test_a_header_that_only_leads_pins_out_is_no_part(case: str, tmp_path: Path)
     header = circuit.components[0]
     assert [header.role.name, bool(said(findings, "RS259"))] == (["Passive", True] if case in LED_OUT else ["Unknown", False])
     assert ("JP1" in {m["component"] for m in hardware(path).result["mappings"]}) == (case in KEPT)
+
+
+def test_a_plug_that_is_called_so_is_for_a_programmer_whatever_else_is_on_it(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("PINHD-1X4", HEADER)]
+    parts = [part("U1", "ARDUINO_UNO"), part("J1", "PINHD-1X4", "ISP/SPI"), part("DISP", "PINHD-1X4")]
+    path = schematic(
+        tmp_path, libraries, parts, [net("CLK", "U1.D13", "J1.1"), net("X", "U1.D2", "DISP.1"), net("Y", "J1.2", "DISP.2")]
+    )
+    assert pins(path) == {"D2": "DISP"}
+
+
+def test_points_to_measure_at_are_no_parts_and_a_pad_to_touch_is_one(tmp_path: Path) -> None:
+    kinds = {"TP1": "TP_SP", "TP2": "TEST-POINT-3", "UP": "CAP-PAD-15MM", "BTN1": "22-27-2021"}
+    libraries = [device("ARDUINO_UNO", UNO)] + [
+        device(kind, [("1", "pas")] if kind[0] != "2" else TWO, "Connector" * (kind[0] == "2")) for kind in kinds.values()
+    ]
+    parts = [part("U1", "ARDUINO_UNO")] + [part(name, kind) for name, kind in kinds.items()]
+    path = schematic(tmp_path, libraries, parts, [net(f"N${n}", f"U1.D{n}", f"{name}.1") for n, name in enumerate(kinds, 2)])
+    assert pins(path) == {"D4": "UP", "D5": "BTN1"}
+    assert {c.title: c.role for c in read_circuit(path)[0].components}["UP"] is hw.Role.Input
+
+
+def test_a_board_with_the_names_of_its_chip_has_its_pins_by_their_ports_and_headers_called_so_lead_them_out(
+    tmp_path: Path,
+) -> None:
+    """`(AD0)PA0` is an address line of the chip, and D22 of the board, not A0."""
+    mega: Pins = [(f"(AD{n})PA{n}", "io") for n in range(8)] + [(f"PF{n}(ADC{n})", "io") for n in range(8)]
+    libraries = [device("MEGAARDUINO_1", mega), device("PINHD-1X4", HEADER), device("LED", TWO, "LED")]
+    parts = [part("U1", "MEGAARDUINO_1"), part("PF", "PINHD-1X4"), part("LED1", "LED"), part("LED2", "LED")]
+    nets = [net(f"N${n}", f"U1.PF{n}(ADC{n})", f"PF.{n}") for n in range(1, 5)]
+    path = schematic(tmp_path, libraries, parts, [*nets, net("A", "U1.(AD0)PA0", "LED1.1"), net("B", "U1.PF0(ADC0)", "LED2.1")])
+    assert read_circuit(path)[0].components[0].boardName == "mega"
+    assert pins(path) == {"A0": "LED2", "D22": "LED1"}
+
+
+@pytest.mark.parametrize("symbol", ["ATMEGA32U4TQFP", "ATMEGA32U4-AU"])
+def test_a_bare_chip_with_usb_is_the_leonardo_and_lines_of_the_programmer_are_no_ports(symbol: str, tmp_path: Path) -> None:
+    """`(PD0/MISO)PB3` is PB3: the zero of the programmer's PDO is none of a port."""
+    chip: Pins = [(f"(ADC{n})PF{n}", "io") for n in (0, 1, 4, 5, 6, 7)] + [
+        ("(SCL/INT0)PD0", "io"),
+        ("(PD0/MISO/PCINT3)PB3", "io"),
+    ]
+    chip += [(f"X{n}", "pas") for n in range(30)]
+    libraries = [device(symbol, chip), device("1X4--3.5MM", HEADER, "3.5mm terminal block"), device("LED", TWO, "LED")]
+    parts = [part("U1", symbol), part("JP5", "1X4--3.5MM"), part("LED1", "LED"), part("LED2", "LED")]
+    nets = [
+        net("A", "U1.(ADC7)PF7", "JP5.1"),
+        net("B", "U1.(SCL/INT0)PD0", "LED1.1"),
+        net("C", "U1.(PD0/MISO/PCINT3)PB3", "LED2.1"),
+    ]
+    path = schematic(tmp_path, libraries, parts, nets)
+    assert read_circuit(path)[0].components[0].boardName == "leonardo"
+    assert pins(path) == {"A0": "JP5", "D3": "LED1", "D14": "LED2"}
 
 
 def test_a_role_from_the_user_makes_a_header_a_part(tmp_path: Path) -> None:

@@ -36,6 +36,20 @@ def rules_of(findings: list[Finding]) -> list[str]:
     return [finding.rule for finding in findings]
 
 
+@pytest.mark.parametrize("part", ["rpi_pico-tht_1", "Raspberry Pico_c69b8a06ab5c49d608ef9deba0877325_2"])
+def test_the_pico_is_known_with_its_pins_and_its_grounds(part: str, tmp_path: Path) -> None:
+    """Its connectors are called by numbers; the resistor to ground leads to no other lamp."""
+    sketch = tmp_path / "pico.fz"
+    sketch.write_text((FIXTURES / "pico.fz").read_text().replace("rpi_pico-tht_1", part))
+    result = hardware_of(sketch).result
+    assert component(read_circuit(sketch)[0], "Pico").boardName == "pico"
+    assert [(m["pin"], m["component"]) for m in result["mappings"]] == [("GP0", "LED1"), ("GP14", "LED2")]
+    ground = net_of(read_circuit(sketch)[0], "Pico", "connector2")
+    assert ground is not None
+    assert (ground.rail, ground.voltage) == (True, "GND")
+    assert "RS257" not in rules_of(read_circuit(sketch)[1])
+
+
 @pytest.mark.parametrize("case", CASES)
 def test_case_drawings_read_without_a_finding(case: str) -> None:
     circuit, findings = read_circuit(CASES[case])

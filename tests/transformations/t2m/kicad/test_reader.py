@@ -9,6 +9,9 @@ import pytest
 
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
+from robosmi.transformations.m2m.circuits.connector_mapping import map_connectors
+from robosmi.transformations.queries.circuits.circuit import component_named
+from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 from robosmi.transformations.t2m.kicad import read_circuit
 from tests.transformations.t2m.drawn import pins, said
 from tests.transformations.t2m.kicad.support import (
@@ -56,12 +59,59 @@ def test_sheets_below_are_read_twice_with_parts_of_their_own_and_their_labels_st
     assert [*circuit.companions] == ["lamp.kicad_sch"]
 
 
+def test_a_component_is_called_by_its_reference_and_its_former_title_still_names_it(tmp_path: Path) -> None:
+    """The names of sheets are in the title only where several parts have one reference; settings may have them everywhere."""
+    schematic(tmp_path / "lamp.kicad_sch", led("D1", 50, 50), led("D7", 50, 150), label("IN", 50, 150, "hierarchical_label"))
+    root = [uno(), led("D1", 300, 50), below("front", "lamp.kicad_sch", ("IN", 100, 20))]
+    path = schematic(tmp_path / "robot.kicad_sch", *root)
+    circuit, _ = read_circuit(path)
+    assert sorted(c.title for c in circuit.components) == ["A1", "D1", "D7", "front/D1"]
+    lamp = component_named(circuit, "D7")
+    assert component_named(circuit, "front/D7") is lamp
+    assert former_title(lamp) == "front/D7"
+    assert component_named(circuit, "D1").elementId == "D1-300-50"
+    (connection,) = map_connectors(circuit)[0]
+    assert (connection.name, former_name(connection)) == ("D7WriteP1", "frontD7WriteP1")
+    for name in ("D7", "front/D7"):
+        given = read_circuit(path, roles={name: "Input"})[0]
+        assert {c.title: c.role.name for c in given.components}["D7"] == "Input"
+
+
+PICO = [*(f"GPIO{n}" for n in range(23)), "GPIO26_ADC0", "GPIO27_ADC1", "GPIO28_ADC2", "RUN", "3V3_EN", "ADC_VREF", "AGND"]
+"""Names of the pins of KiCad's symbols of the Pico (KiCad 8 and newer) and of those of the library KiCad-RP-Pico."""
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "board"),
+    [
+        ("MCU_Module:RaspberryPi_Pico", "", "pico"),
+        ("MCU_Module:RaspberryPi_Pico_Debug", "", "pico"),
+        ("MCU_Module:RaspberryPi_Pico_Extensive", "", "pico"),
+        ("MCU_Module:RaspberryPi_Pico_W", "", "picow"),
+        ("MCU_Module:RaspberryPi_Pico_W_Debug", "", "picow"),
+        ("MCU_RaspberryPi_and_Boards:Pico", "", "pico"),
+        ("MCU_RaspberryPi_and_Boards:Pico", "Raspberry Pi Pico W", "picow"),
+        ("MCU_Module:RaspberryPi_Pico", "Pico 2", ""),
+    ],
+)
+def test_a_pico_is_known_with_its_pins_and_a_pico_2_is_not(kind: str, value: str, board: str, tmp_path: Path) -> None:
+    library = [*LIBRARY, symbol(kind, PICO)]
+    entries = [placed(kind, "A1", 100, 0, value), led("D1", 100, 150), led("D2", 100, 240)]
+    circuit, _ = read_circuit(schematic(tmp_path / "robot.kicad_sch", *entries, library=library))
+    drawn = component_named(circuit, "A1")
+    assert drawn.boardName == board
+    if board:
+        assert [c.pin for c in drawn.connectors][:26] == [f"GP{n}" for n in (*range(23), 26, 27, 28)]
+        assert not any(c.pin for c in drawn.connectors[26:])
+        assert {f"{c.boardConnectors[0].pin}" for c in map_connectors(circuit)[0]} == {"GP15", "GP16", "GP27", "GP28"}
+
+
 def test_members_of_a_bus_go_into_a_sheet_by_their_names(tmp_path: Path) -> None:
     schematic(tmp_path / "lamps.kicad_sch", led("D1", 50, 50), label("L[0..7]", 0, 0, "hierarchical_label"), label("L3", 50, 50))
     path = schematic(
         tmp_path / "robot.kicad_sch", uno(), below("lamps", "lamps.kicad_sch", ("L[0..7]", 0, 0)), label("L3", 100, 20)
     )
-    assert pins(path) == {"D2": "lamps/D1"}
+    assert pins(path) == {"D2": "D1"}
 
 
 def lamps(folder: Path, name: str, inside: str, *members: str) -> None:
@@ -88,7 +138,7 @@ def test_members_of_a_bus_are_told_by_the_names_on_its_lines(
     lines = [bus(0, 0, 60, 0), label(outside, 30, 0), entry(40, 0), '(bus_alias "PAIR" (members "P" "N"))']
     wires = [label(text, 100, 20 + 10 * n) for n, text in enumerate(labels)]
     path = schematic(tmp_path / "robot.kicad_sch", uno(), below("lamps", "lamps.kicad_sch", (inside, 60, 0)), *lines, *wires)
-    assert pins(path) == {f"D{2 + n}": f"lamps/D{n + 1}" for n in range(len(labels))}
+    assert pins(path) == {f"D{2 + n}": f"D{n + 1}" for n in range(len(labels))}
 
 
 @pytest.mark.parametrize("text", ["${NET}", "MOTOR_${SIDE}", "${A}_${B}", "${LED}[1]"])
@@ -102,7 +152,7 @@ def test_a_bus_leads_from_sheet_to_sheet_whatever_its_name_is_in_each(tmp_path: 
     schematic(tmp_path / "brain.kicad_sch", uno(), label("B2", 100, 20), label("B[0..3]", 0, 0, "hierarchical_label"))
     sheets = [below("lamps", "lamps.kicad_sch", ("L[0..3]", 60, 0)), below("brain", "brain.kicad_sch", ("B[0..3]", 0, 0))]
     path = schematic(tmp_path / "robot.kicad_sch", *sheets, bus(0, 0, 60, 0))
-    assert pins(path) == {"D2": "lamps/D1"}
+    assert pins(path) == {"D2": "D1"}
 
 
 def test_entries_that_meet_at_a_bus_join_nothing_and_a_label_at_one_is_that_of_its_wire(tmp_path: Path) -> None:
@@ -278,7 +328,7 @@ def test_a_local_symbol_of_a_supply_names_a_net_of_its_sheet_alone(tmp_path: Pat
         outer = [led("D2", 300, 0), placed("power:VDD", "#PWR1", 300, 0), below("S", "inner.kicad_sch")]
         path = schematic(tmp_path / "a.kicad_sch", *outer, library=library)
         circuit, _ = read_circuit(path)
-        one, other = (next(c for c in circuit.components if c.title == title).connectors[0].net for title in ("D2", "S/D1"))
+        one, other = (next(c for c in circuit.components if c.title == title).connectors[0].net for title in ("D2", "D1"))
         assert (one is other) is joined
         assert one is not None
         assert one.title == "VDD"

@@ -70,6 +70,30 @@ def test_breadboards_conduct_by_row_and_by_rail_and_resistors_are_on_the_way(tmp
     assert {net.voltage for net in circuit.nets if net.rail} == {"GND"}
 
 
+def test_of_a_contact_and_of_a_chain_the_connector_counts_that_has_the_wire(tmp_path: Path) -> None:
+    """Not the other end of the same contact, nor what hands an input on to the next display."""
+    parts = [UNO, part("b", "wokwi-pushbutton"), part("m1", "wokwi-max7219-matrix"), part("m2", "wokwi-max7219-matrix")]
+    wires = [
+        ["uno:2", "b:1.r", "green", []],
+        ["uno:GND.1", "b:2.l", "black", []],
+        ["uno:10", "m1:CS", "green", []],
+        ["m1:CS.2", "m2:CS", "green", []],
+    ]
+    result = hardware(diagram(tmp_path, parts, wires)).result
+    assert [(m["pin"], m["component"], [c["id"] for c in m["connectors"]]) for m in result["mappings"]] == [
+        ("D2", "b", ["1.r"]), ("D10", "m1", ["CS"]), ("D10", "m2", ["CS"]),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "board"), [("wokwi-pi-pico", "pico"), ("board-pi-pico", "pico"), ("board-pi-pico-w", "picow")])
+def test_a_pico_is_known_with_its_pins(kind: str, board: str, tmp_path: Path) -> None:
+    path = diagram(tmp_path, [part("pico", kind), LED], [["pico:GP15", "led1:A", "", []], ["led1:C", "pico:GND.4", "", []]])
+    circuit, _ = read_circuit(path)
+    assert circuit.components[0].boardName == board
+    assert {c.pin for c in circuit.components[0].connectors} >= {f"GP{n}" for n in (*range(23), 26, 27, 28)}
+    assert pins(path) == {"GP15": "led1"}
+
+
 @pytest.mark.parametrize(
     ("kind", "pin"), [("wokwi-breadboard-half", "31t.a"), ("wokwi-breadboard-mini", "tp.1"), ("wokwi-breadboard", "10t.f")]
 )

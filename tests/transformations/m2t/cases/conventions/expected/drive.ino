@@ -2,6 +2,7 @@
 // Made by RoboSMi. What is left to do is listed in MIGRATION.md.
 
 #include <Arduino.h>
+#include <Servo.h>
 
 const int BasicServo2WriteP1 = 8;  // Basic Servo2: pulse on D8
 const int BasicServo1WriteP1 = 9;  // Basic Servo1: pulse on D9
