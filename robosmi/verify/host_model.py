@@ -39,6 +39,7 @@ class HostModel(Struct, frozen=True):
         channels: labels of the converter's channels, by number.
         compiler: the table `compiler`: programs and their flags.
         predefined: what the platform's own compiler defines: names of macros, and their text after `=`.
+        undefined: macros that the platform's own compiler lacks and this machine's has.
         same: functions of the machine's C library that programs may use as they are.
         devices: what the board has at its pins and buses by itself.
         stores: the functions by which programs store bytes that the board keeps without power.
@@ -59,6 +60,7 @@ class HostModel(Struct, frozen=True):
     channels: tuple[str, ...]
     compiler: DataTable
     predefined: tuple[str, ...]
+    undefined: tuple[str, ...]
     same: frozenset[str]
     devices: tuple[DeviceUse, ...]
     stores: frozenset[str] = frozenset()
@@ -89,9 +91,10 @@ class HostModel(Struct, frozen=True):
 
     @property
     def predefined_text(self) -> str:
-        """A header with what the platform's own compiler defines."""
+        """A header with what the platform's own compiler defines, and without what it does not."""
         macros = (macro.partition("=") for macro in self.predefined)
-        return "".join(f"#define {name} {text if sign else 1}\n" for name, sign, text in macros)
+        lines = [f"#undef {name}\n" for name in self.undefined]
+        return "".join([*lines, *(f"#define {name} {text if sign else 1}\n" for name, sign, text in macros)])
 
     @property
     def install(self) -> str:
@@ -138,6 +141,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         channels=tuple(f"{channel}{number}" for number in range(table.number("channels"))),
         compiler=table.table("compiler"),
         predefined=parser.texts("predefined", ()) + parser.texts("defines", ()),
+        undefined=parser.texts("undefined", ()),
         same=frozenset(table.table("compiler").texts("same")),
         devices=tuple(_device(each) for each in devices),
         stores=frozenset(stores.texts("functions", ())),

@@ -12,6 +12,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+import robosmi
+from robosmi.transformations.chains.stages.output import Generated
 from robosmi.transformations.chains.verify import verify
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import FILE
@@ -350,6 +352,20 @@ def test_a_migrated_program_that_halts_early_is_compared_to_the_end(out: Path, p
     outcome = run("verify", out, "--scenario", pressed, "--json")
     assert (outcome.code, outcome.result["verdict"]) == (6, "different"), outcome.result
     assert outcome.result["first_difference"]["at_ms"] > 1500
+
+
+@pytest.mark.parametrize(("verdict", "said"), [("no-difference-found", "compiles"), ("not-compiled", "does not compile")])
+def test_migrate_says_what_its_run_has_compiled(verdict: str, said: str, tmp_path: Path) -> None:
+    shutil.copytree(PROGRAMS, tmp_path / "input")
+    made = robosmi.migrate([tmp_path / "input" / "button.c"], tmp_path / "out")
+    assert isinstance(made, Generated)
+    plan = (tmp_path / "out" / "models" / "plan.xmi").read_bytes()
+    [works] = [line for line in made.lines() if line.split()[0] == "works"]
+    assert works.endswith("; not compiled yet")
+    made.verification = ({"verdict": verdict}, 0)
+    [works] = [line for line in made.lines() if line.split()[0] == "works"]
+    assert works.endswith(f"; {said}")
+    assert (tmp_path / "out" / "models" / "plan.xmi").read_bytes() == plan
 
 
 def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path: Path) -> None:

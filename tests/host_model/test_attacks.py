@@ -145,6 +145,44 @@ def test_the_judge_sees_each_effect_of_a_program_without_a_sandbox(effect: int, 
     assert judged.seen(program.binary)
 
 
+@pytest.mark.parametrize(
+    "name",
+    [
+        "425, 8, (int)room, 0",  # io_uring_setup
+        "356, (int)PLACE, 0, 0",  # memfd_create
+        "374, 1, 0, 0",  # userfaultfd
+        '5, (int)"/proc/self/mem", 2, 0',
+        '295, -100, (int)"/proc/self/fd/1", 1',  # openat
+        "54, 0, 0x541B, (int)room",  # ioctl of its own pipe
+        "55, 1, 4, 04000",  # fcntl: make the pipe non-blocking
+        "42, (int)room, 0, 0",  # pipe
+        "348, VICTIM, (int)room, 1",  # process_vm_writev
+        "434, VICTIM, 0, 0",  # pidfd_open
+        "270, VICTIM, VICTIM, 10",  # tgkill
+        "120, 0x11, 0, 0",  # clone
+        "357, 0, (int)room, 8",  # bpf
+        "336, (int)room, 0, -1",  # perf_event_open
+        "354, 1, 0, (int)room",  # seccomp: a filter of its own
+        "172, 22, 0, 0",  # prctl
+        "4, 2, (int)PLACE, 1",  # write to another descriptor
+        "3, 1, (int)room, 1",  # read from the wrong pipe
+    ],
+)
+def test_a_call_that_a_run_does_not_need_ends_the_program(name: str, judged: Judge, tmp_path: Path) -> None:
+    attack = tmp_path / "calls.c"
+    attack.write_text(
+        f'#include "attack.h"\nstatic int room[64];\nvoid high(int pin);\nint main(void) {{ call({name}); high(3); return 0; }}\n'
+    )
+    (tmp_path / "source").mkdir()
+    (tmp_path / "made").mkdir()
+    source = judged.source(attack, tmp_path / "source", 0)
+    program = original_program([source], model(), tmp_path / "made")
+    run = run_original(program, 100_000, limit_s=2.0)
+    assert (run.status, run.cause) == ("crashed", "it calls the operating system, which is not allowed")
+    assert not run.trace.levels("P3")
+    assert judged.seen(tmp_path / "made") == []
+
+
 @pytest.mark.parametrize("number", range(0, 200, 20))
 def test_a_variation_of_an_attack_has_no_effect(number: int) -> None:
     with tempfile.TemporaryDirectory(prefix="at-") as place:

@@ -15,6 +15,8 @@ from tests.host_model.bench import model, said
 from tests.tools import require_tools
 
 FOREIGN = "__linux__ linux __gnu_linux__ __unix__ unix __i386__ i386 __x86_64__ __k8__ __SSE2__ __APPLE__ _WIN32 __LP64__ __pic__"
+LATER = "__has_include __has_include_next __has_attribute __has_builtin __has_c_attribute __has_cpp_attribute"
+"""Macros of later compilers; with the first one a program would ask which files this machine has."""
 OWN = {
     "__GNUC__": 4, "__GNUC_MINOR__": 6, "__SIZEOF_POINTER__": 4, "__SIZEOF_LONG_DOUBLE__": 8, "__SIZEOF_DOUBLE__": 4,
     "__CHAR_UNSIGNED__": 1, "__PROPELLER_CMM__": 1, "__propeller__": 1, "__FLT_MANT_DIG__": 24, "__BIGGEST_ALIGNMENT__": 4,
@@ -27,7 +29,7 @@ def _tools() -> None:
 
 
 def test_the_original_sees_the_macros_of_its_compiler_and_of_no_machine() -> None:
-    lines = [f'#ifdef {name}\nprint("{name}\\n");\n#endif' for name in FOREIGN.split()]
+    lines = [f'#ifdef {name}\nprint("{name}\\n");\n#endif' for name in (FOREIGN + " " + LATER).split()]
     lines += [f'#if {name} != {value}\nprint("{name}\\n");\n#endif' for name, value in OWN.items()]
     assert said("int linux = 1, unix = 2, i386 = 3;\n" + "\n".join(lines) + '\nprint("%d", linux + unix + i386);') == ["6"]
 

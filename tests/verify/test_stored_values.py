@@ -9,7 +9,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
-from robosmi.transformations.verification.stored_bytes import STORED, after_a_restart, stored_events
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, stored_events
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace, StoredByte
@@ -63,14 +63,14 @@ def test_a_sketch_that_stores_otherwise_is_different(before: str, after: str, mi
         sketch.write_text(original)
     assert verdict.verdict == DIFFERENT_VERDICT
     assert verdict.first_difference is not None
-    assert verdict.first_difference[1].channel == STORED
-    assert STORED not in verdict.not_compared
+    assert verdict.first_difference[1].channel == EEPROM_CHANNEL
+    assert EEPROM_CHANNEL not in verdict.not_compared
 
 
 def test_the_same_bytes_are_no_difference(migrated: Path) -> None:
     verdict = verify(migrated, scenarios=[PRESSES], engine="simavr").verdict
     assert verdict.verdict == NO_DIFFERENCE
-    assert verdict.outputs[STORED]
+    assert verdict.outputs[EEPROM_CHANNEL]
     first, again = verdict.scenarios
     assert not first.scenario.stored
     assert again.scenario.stored == ((32768, 2, 0, 0, 0),)
@@ -80,8 +80,8 @@ def test_a_program_that_stores_nothing_in_any_scenario_is_listed(migrated: Path,
     nothing = tmp_path / "nothing.toml"
     nothing.write_text("horizon_ms = 500\n")
     verdict = verify(migrated, scenarios=[nothing], engine="simavr").verdict
-    assert STORED in verdict.not_compared
-    assert verdict.outputs[STORED] is False
+    assert EEPROM_CHANNEL in verdict.not_compared
+    assert verdict.outputs[EEPROM_CHANNEL] is False
     assert verdict.partial
 
 

@@ -31,6 +31,7 @@ class ParserSettings(TypedDict, total=False):
     standard: str
     defines: list[str]
     predefined: list[str]
+    undefined: list[str]
     attribute_macros: list[str]
     builtins: dict[str, str]
     sketch: SketchSettings

@@ -12,8 +12,9 @@ _INDENT = "  "
 
 
 def terminal_lines(
-    plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch: Path, *, made: bool, known: Counted | None = None
-) -> list[str]:
+    plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch: Path, *, made: bool, known: Counted | None = None,
+    compiles: bool | None = None,
+) -> list[str]:  # fmt: skip
     """The lines of the output.
 
     Args:
@@ -22,12 +23,14 @@ def terminal_lines(
         sketch: the folder of the generated program.
         made: whether files were written.
         known: what was counted of the plan as it is; None where nothing was.
+        compiles: whether this run has compiled the program with success; None if it has not compiled it.
     """
     board = plan.board.title if plan.board else "the target"
     screen = first_screen(plan, sources, known=known)
     lines = [f"{'generated' if made else 'would generate'} {sketch} for {board}"]
     lines += [_sum("too big", short) for short in screen.shortages]
-    lines.append(_sum("works", screen.works + ("; not compiled yet" if plan.build is None else "")))
+    known_build = "" if plan.build is not None else "; not compiled yet"
+    lines.append(_sum("works", screen.works + {None: known_build, True: "; compiles", False: "; does not compile"}[compiles]))
     for word, each in (("decide", screen.decide), ("write", screen.write), ("check", screen.check)):
         lines += _list(word, each)
     if screen.needs:

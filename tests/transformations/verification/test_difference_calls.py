@@ -6,7 +6,7 @@ import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.difference_calls import last_call_for
-from robosmi.transformations.verification.stored_bytes import STORED
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.original_calls import LibraryCall
 
 CALLS = [
@@ -38,7 +38,7 @@ PORTS = [
         ("P4", 2_000_000.0, None),
         ("I2C 0x69", 2_000_000.0, None),
         ("program", 2_000_000.0, None),
-        (STORED, 2_000_000.0, 3),
+        (EEPROM_CHANNEL, 2_000_000.0, 3),
     ],
 )
 def test_a_call_for_the_channel_or_none_is_told(channel: str, at_us: float, line: int | None) -> None:

@@ -113,7 +113,12 @@ class Generated(Struct):
 
     def lines(self) -> list[str]:
         """What a person reads."""
-        lines = terminal_lines(self.models.plan, self.models.files, self.sketch, made=self.written, known=self.counted)
+        from robosmi.verify.traces.verdict import NOT_COMPILED  # only a run that verifies has loaded it
+
+        compiles = None if self.verification is None else self.verification[0]["verdict"] != NOT_COMPILED
+        lines = terminal_lines(
+            self.models.plan, self.models.files, self.sketch, made=self.written, known=self.counted, compiles=compiles
+        )
         return [*lines, *self.diff.splitlines()]
 
 

@@ -19,7 +19,7 @@ from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.values import RUNTIME, Value, Values
 
 
-class PinUse(Struct):
+class PinUse(Struct, frozen=True):
     """A pin that a call uses.
 
     Attributes:

@@ -268,6 +268,7 @@ def _full_name(place: PortPlace, meant: Mapping[str, set[int]]) -> str:
 
 def _use(found: Mapping[int, Port], uses: Sequence[PinUse], through: Sequence[FlowPorts]) -> None:
     """Add its uses to each port; a use with an unknown pin is added to all ports of its flow."""
+    known = {number: set(port.uses) for number, port in found.items()}
     flows = {id(a.argument): each for each in through for a in each.flow.arguments if a.argument is not None}
     for use in uses:
         if use.origin == "convention":
@@ -275,7 +276,8 @@ def _use(found: Mapping[int, Port], uses: Sequence[PinUse], through: Sequence[Fl
         flow = flows.get(id(use.argument)) if use.argument is not None else None
         numbers = [use.pin] if use.pin is not None else flow.numbers if flow is not None else []
         for number in numbers:
-            if number in found and use not in found[number].uses:
+            if number in found and use not in known[number]:
+                known[number].add(use)
                 found[number].uses.append(use)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import literals, macros, types
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
@@ -37,6 +38,8 @@ FUNCTION_KINDS = (
     cursor_kinds.OVERLOADED_DECL_REF,
 )  # with templates and sets of overloaded functions
 TYPE_REF = cursor_kinds.TYPE_REF
+MOST_CALLS = 10_000
+"""Calls of one file, those that macros make included: so many do not fit into the 32 KB of a Propeller or an Uno."""
 
 _POINTERS = frozenset((101, 112, 114))
 """CXTypeKind of pointers, and of arrays with and without a size."""
@@ -98,7 +101,16 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
         context: the unit's context.
         node: the call's cursor.
         children: the cursors of the callee and of the arguments.
+
+    Raises:
+        SourceError: the file makes more than `MOST_CALLS`.
     """
+    if len(context.call_nodes) >= MOST_CALLS:
+        raise SourceError(
+            f"the file makes more than {MOST_CALLS:,} calls, those in macros counted each time",
+            location=context.source.location(node.start),
+            fix="put repeated calls into loops, or leave generated code out",
+        )
     callee = children[0] if children else None
     while callee is not None and callee.kind in (UNEXPOSED, PAREN) and len(callee.children) == 1:
         callee = callee.children[0]

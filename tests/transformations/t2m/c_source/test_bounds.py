@@ -17,6 +17,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
+from robosmi.transformations.t2m.c_source.expressions import MOST_CALLS
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
 from robosmi.transformations.t2m.c_source.parsing.headers import Folders, reached
 from robosmi.transformations.t2m.c_source.reader import MOST_FILES
@@ -290,3 +291,16 @@ def test_what_the_parser_misses_where_too_much_was_cut_is_no_fault_of_the_text(t
     assert "RS101" not in {f.rule for f in read_program(path)[1]}
     path.write_text(path.read_text().replace("return a;", "return a b;"))
     assert [f.location.line for f in read_program(path)[1] if f.rule == "RS101" and f.location is not None] == [3]
+
+
+def test_a_file_makes_no_more_calls_than_any_board_can_hold(tmp_path: Path) -> None:
+    once, program = 20, tmp_path / "p.c"
+    uses = "FLASH\n" * (MOST_CALLS // once)
+    program.write_text(f"void f(void);\n#define FLASH {'f(); ' * once}\nint main(void) {{\n{uses}}}\n")
+    read, _ = read_program(program, platform="propeller")
+    assert len(list(all_of_kind(read, ccode.Call))) == MOST_CALLS
+    program.write_text(program.read_text().replace("int main(void) {", "int main(void) { f();"))
+    with pytest.raises(SourceError, match=f"more than {MOST_CALLS:,} calls") as raised:
+        read_program(program, platform="propeller")
+    assert raised.value.location is not None
+    assert raised.value.location.line == 3 + MOST_CALLS // once

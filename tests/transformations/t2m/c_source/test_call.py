@@ -79,11 +79,13 @@ def test_headers_beside_a_program_may_mean_them(tmp_path: Path, calls: list[list
 
 
 FOREIGN = "__linux__ linux __unix__ unix __i386__ i386 __x86_64__ __riscv __clang__ __llvm__ __SSE2__ __APPLE__ _WIN32 __LP64__"
+LATER = "__has_include __has_include_next __has_attribute __has_builtin __has_feature __has_extension __has_cpp_attribute"
+"""Macros of later compilers than propgcc's."""
 OWN = {"__GNUC__": 4, "__GNUC_MINOR__": 6, "__SIZEOF_POINTER__": 4, "__SIZEOF_LONG_DOUBLE__": 8, "__CHAR_UNSIGNED__": 1}
 
 
 def test_a_program_sees_the_macros_of_its_compiler_and_of_no_machine(tmp_path: Path) -> None:
-    lines = [f"#ifdef {name}\nint wrong_{name};\n#endif" for name in FOREIGN.split()]
+    lines = [f"#ifdef {name}\nint wrong_{name};\n#endif" for name in (FOREIGN + " " + LATER).split()]
     lines += [f"#if {name} != {value}\nint wrong_{name};\n#endif" for name, value in OWN.items()]
     (tmp_path / "program.c").write_text("\n".join((*lines, "int linux, unix, i386;\n")))
     assert names(tmp_path / "program.c", []) == {"linux", "unix", "i386"}

@@ -39,6 +39,7 @@ def arguments(api: ApiIndex, language: str, include_dirs: Sequence[str], defines
     standard = "gnu++14" if cxx else settings["standard"]
     return [
         "-x", "c++" if cxx else "c", f"-std={standard}", "-nostdinc", "-target", settings["target"], *_QUIET, *predefined(api),
+        *(f"-U{name}" for name in settings.get("undefined", [])),
         *(f"-D{define}" for define in (*settings.get("defines", []), *defines)),
         *(f"-I{os.path.abspath(folder)}" for folder in include_dirs), "-isystem", HEADERS,
     ]  # fmt: skip
