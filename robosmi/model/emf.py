@@ -159,12 +159,12 @@ class EmfModel(TypedModel):
             SourceError: the file cannot be written.
         """
         from robosmi.files.files import write_atomic
-        from robosmi.model.xmi.saved_places import keep_what_is_lost
+        from robosmi.model.xmi.saved_places import back_up_comments
 
         target = self._target(path)
         text = self.to_bytes(target, others)
         if self.path is not None and target == self.path:
-            keep_what_is_lost(target, text)
+            back_up_comments(target, text)
         write_atomic(target, text)
         if self.path is None:
             self.path = target

@@ -28,7 +28,7 @@ from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
 from robosmi.model.opening import driver_of
 from robosmi.model.xmi.open_files import Hook, OpenFiles
-from robosmi.model.xmi.saved_places import keep_what_is_lost, texts_of
+from robosmi.model.xmi.saved_places import back_up_comments, texts_of
 
 V = TypeVar("V")
 Paths = str | Path | Sequence[str | Path]
@@ -126,7 +126,7 @@ class Session:
         before = {path: inputs.read_bytes(path, inputs.MODEL) for path in texts if path.is_file()}
         changed = {path: text for path, text in texts.items() if before.get(path) != text}
         for path, text in changed.items():
-            keep_what_is_lost(path, text)
+            back_up_comments(path, text)
             write_atomic(path, text)
         for model in others:
             model.save()

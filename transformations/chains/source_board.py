@@ -17,9 +17,9 @@ from robosmi.transformations.knowledge.platforms.portability_facts import portab
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.queries.circuits.circuit import boards
 from robosmi.transformations.queries.code import views
+from robosmi.transformations.queries.portability.analysed_program import Place
 from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
 from robosmi.transformations.queries.portability.places import portability
-from robosmi.transformations.queries.portability.seen_program import Place
 
 ASSUMED = "RS115"
 

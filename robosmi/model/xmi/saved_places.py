@@ -21,7 +21,7 @@ from robosmi.model.ecore.metamodels import Metamodels, built_in
 from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import own_resource_of
-from robosmi.model.xmi.kept_layout import NotKept, kept
+from robosmi.model.xmi.preserved_layout import NotPreservedError, preserve_layout
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
 from robosmi.model.xmi.xmi_reader import read_alone
 from robosmi.model.xmi.xmi_writer import roots_in, text_with, to_xmi
@@ -103,13 +103,13 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     if now is None:
         return text
     try:
-        made = kept(original, before, now)
-    except NotKept:
+        made = preserve_layout(original, before, now)
+    except NotPreservedError:
         return text
     return made if _as_written(target, made, known, target) == now else text
 
 
-def keep_what_is_lost(target: Path, text: bytes) -> Path | None:
+def back_up_comments(target: Path, text: bytes) -> Path | None:
     """Keep the file that is to be overwritten beside it, as NAME.orig, if it has comments that the new text lacks.
 
     Returns:

@@ -15,11 +15,11 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.portability_facts import Chip, Kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, At
 from robosmi.transformations.queries.portability.pin_origins import Origin
-from robosmi.transformations.queries.portability.seen_program import At, SeenProgram
 
 Found = Iterator[tuple[At, str]]
-Rule = Callable[[Kind, SeenProgram], Found]
+Rule = Callable[[Kind, AnalysedProgram], Found]
 _BYTES = frozenset(["char", "signed char", "unsigned char", "bool", "int8_t", "uint8_t", "byte", "boolean"])
 _INTS = frozenset(["int", "signed int", "signed", "unsigned int", "unsigned", "word", "size_t"])
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -28,7 +28,7 @@ _WITHOUT_BITS = re.compile(r"(PORT|PIN|DDR)([A-L])")
 _PIN_WORDS = frozenset(["pin", "pins"])
 
 
-def named(kind: Kind, seen: SeenProgram) -> Found:
+def named(kind: Kind, seen: AnalysedProgram) -> Found:
     """Uses of names, includes of headers, and declarations with types."""
     for number, view in enumerate(seen.views):
         for include in view.unit.includes:
@@ -54,7 +54,7 @@ def _matches(name: str, patterns: tuple[str, ...]) -> bool:
     return any(fnmatchcase(name, pattern) for pattern in patterns)
 
 
-def registers(kind: Kind, seen: SeenProgram) -> Found:
+def registers(kind: Kind, seen: AnalysedProgram) -> Found:
     """Registers that the other microcontroller lacks, or has for other pins."""
     names = frozenset(seen.facts.registers.get(kind.registers, ()))
     there = seen.facts.microcontrollers.get(seen.move.target.chip, Chip()).registers
@@ -64,7 +64,7 @@ def registers(kind: Kind, seen: SeenProgram) -> Found:
                 yield At(view.unit, use.line), use.name
 
 
-def _same_pins(register: str, seen: SeenProgram) -> bool:
+def _same_pins(register: str, seen: AnalysedProgram) -> bool:
     """Whether a register of a port has the same pins at its bits on both boards; true for all other registers."""
     match = _WITHOUT_BITS.fullmatch(register)
     if match is None:
@@ -77,7 +77,7 @@ def _pins(prefix: str, ports: Mapping[str, str]) -> dict[str, str]:
     return {port: label for port, label in ports.items() if port.startswith(prefix)}
 
 
-def interrupt_vectors(kind: Kind, seen: SeenProgram) -> Found:
+def interrupt_vectors(kind: Kind, seen: AnalysedProgram) -> Found:
     """Interrupt functions for vectors that the other microcontroller lacks."""
     there = seen.facts.microcontrollers.get(seen.move.target.chip, Chip()).vectors
     for number, view in enumerate(seen.views):
@@ -87,7 +87,7 @@ def interrupt_vectors(kind: Kind, seen: SeenProgram) -> Found:
                 yield At(view.unit, use.line), vector[1] if vector is not None else use.name
 
 
-def board_conditions(kind: Kind, seen: SeenProgram) -> Found:
+def board_conditions(kind: Kind, seen: AnalysedProgram) -> Found:
     """Conditional directives that ask for a board or processor."""
     for view in seen.views:
         for each in view.unit.conditionals:
@@ -96,7 +96,7 @@ def board_conditions(kind: Kind, seen: SeenProgram) -> Found:
                 yield At(view.unit, int(each.line)), name
 
 
-def sizes_of_int(kind: Kind, seen: SeenProgram) -> Found:
+def sizes_of_int(kind: Kind, seen: AnalysedProgram) -> Found:
     """`sizeof(int)`, where int has another width."""
     if seen.move.source.int_bits == seen.move.target.int_bits:
         return
@@ -107,7 +107,7 @@ def sizes_of_int(kind: Kind, seen: SeenProgram) -> Found:
                 yield At(view.unit, int(size.line)), f"sizeof({spelling})"
 
 
-def bytes_of_objects(kind: Kind, seen: SeenProgram) -> Found:
+def bytes_of_objects(kind: Kind, seen: AnalysedProgram) -> Found:
     """Objects that are copied, stored or sent as bytes, where their size or layout differs."""
     if seen.move.source.architecture == seen.move.target.architecture:
         return
@@ -151,7 +151,7 @@ def _has_layout(argument: ccode.Expression) -> bool:
     return use is not None and kind_of_type(use) not in _BYTES | {"void"} and "void" not in str(use.spelling).split()
 
 
-def times_in_int(kind: Kind, seen: SeenProgram) -> Found:
+def times_in_int(kind: Kind, seen: AnalysedProgram) -> Found:
     """A variable of 16 bits that takes milliseconds or microseconds."""
     if seen.move.source.int_bits == seen.move.target.int_bits:
         return
@@ -181,7 +181,7 @@ def _takes_time(value: ccode.Expression | None, kind: Kind) -> bool:
     return isinstance(value, ccode.Call) and str(value.calleeName) in kind.functions
 
 
-def interrupt_numbers(kind: Kind, seen: SeenProgram) -> Found:
+def interrupt_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
     """Numbers of interrupts that mean another pin on the other board."""
     for view in seen.views:
         converted = [int(use.startOffset) for use in view.unit.macroUses if str(use.name) in kind.converters]
@@ -197,12 +197,12 @@ def _calls(view: CodeView, kind: Kind) -> list[ccode.Call]:
     return [call for call in found if not isinstance(call.calleeExpression, ccode.Member)]
 
 
-def _other_interrupt(number: int, seen: SeenProgram) -> bool:
+def _other_interrupt(number: int, seen: AnalysedProgram) -> bool:
     here, there = seen.move.source.interrupts.get(number), seen.move.target.interrupts.get(number)
     return here is None or here != there
 
 
-def analog_numbers(kind: Kind, seen: SeenProgram) -> Found:
+def analog_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
     """Channels of the converter in the place of pins, where the other board takes them for pins."""
     for view in seen.views:
         for call in _calls(view, kind):
@@ -211,25 +211,25 @@ def analog_numbers(kind: Kind, seen: SeenProgram) -> Found:
                 yield At(view.unit, int(call.line)), str(argument.value)
 
 
-def _other_channel(number: int, seen: SeenProgram) -> bool:
+def _other_channel(number: int, seen: AnalysedProgram) -> bool:
     here, there = seen.move.source, seen.move.target
     is_channel = f"A{number}" in here.aliases
     return is_channel and here.architecture != there.architecture
 
 
-def pins_as_analog_numbers(kind: Kind, seen: SeenProgram) -> Found:
+def pins_as_analog_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
     """Numbers that are those of analogue pins on the source board, and of other pins on the other board."""
     here, there = seen.move.source.numbers, seen.move.target.numbers
     analog = {number for number, label in here.items() if label.startswith("A") and there.get(number) != label}
     yield from ((at, str(origin.number)) for at, origin in _pin_numbers(analog, seen))
 
 
-def analog_pins(kind: Kind, seen: SeenProgram) -> Found:
+def analog_pins(kind: Kind, seen: AnalysedProgram) -> Found:
     """Analogue pins that the other board does not have."""
     return ((at, name) for at, name in named(kind, seen) if name not in seen.move.target.aliases)
 
 
-def pin_of_led(kind: Kind, seen: SeenProgram) -> Found:
+def pin_of_led(kind: Kind, seen: AnalysedProgram) -> Found:
     """The number of the pin with the source board's LED, where the other board has it at another pin."""
     here, there = seen.move.source, seen.move.target
     numbers = {number for number, label in here.numbers.items() if label == here.led and there.numbers.get(number) != there.led}
@@ -250,14 +250,14 @@ def _words_around(element: Element | None) -> set[str]:
     return set()
 
 
-def _pin_numbers(numbers: set[int], seen: SeenProgram) -> Iterator[tuple[At, Origin]]:
+def _pin_numbers(numbers: set[int], seen: AnalysedProgram) -> Iterator[tuple[At, Origin]]:
     for origin in (*seen.pin_numbers, *_called_pins(seen)):
         at = seen.at(origin.at) if origin.number in numbers else None
         if at is not None:
             yield at, origin
 
 
-def _called_pins(seen: SeenProgram) -> Iterator[Origin]:
+def _called_pins(seen: AnalysedProgram) -> Iterator[Origin]:
     """Constants that are called pins: what uses them may be a library that nobody knows."""
     for view in seen.views:
         for variable in view.of_kind(ccode.Variable):

@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 
 from robosmi.transformations.knowledge.platforms.portability_facts import Kind, PortabilityFacts
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, Place
 from robosmi.transformations.queries.portability.board_move import BoardMove
 from robosmi.transformations.queries.portability.kinds import RULES, named
-from robosmi.transformations.queries.portability.seen_program import Place, SeenProgram
 
 
 def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove) -> list[Place]:
@@ -23,7 +23,7 @@ def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardM
         facts: the facts about programs of the source platform.
         move: from which board to which.
     """
-    seen = SeenProgram(views, facts, move)
+    seen = AnalysedProgram(views, facts, move)
     order = {id(view.unit): number for number, view in enumerate(views)}
     paths = {str(view.unit.path): order[id(view.unit)] for view in views}
     found: dict[tuple[str, str, int], Place] = {}
@@ -33,7 +33,7 @@ def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardM
     return sorted(found.values(), key=lambda place: (paths.get(place.path, 0), place.line))
 
 
-def _places(name: str, kind: Kind, seen: SeenProgram) -> Iterator[Place]:
+def _places(name: str, kind: Kind, seen: AnalysedProgram) -> Iterator[Place]:
     if _alike(kind, seen.move):
         return
     for at, what in RULES.get(name, named)(kind, seen):

@@ -32,7 +32,7 @@ class At(Struct, frozen=True):
     line: int
 
 
-class SeenProgram:
+class AnalysedProgram:
     """What the rules ask for, each answered once.
 
     Args:

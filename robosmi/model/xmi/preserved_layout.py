@@ -22,8 +22,8 @@ _LARGE = 4_000
 """How many children of one name are compared closely."""
 
 
-class NotKept(Exception):
-    """The layout of a file cannot be kept."""
+class NotPreservedError(Exception):
+    """The layout of a file cannot be preserved."""
 
 
 class TextElement(Struct, eq=False):
@@ -49,7 +49,7 @@ class TextElement(Struct, eq=False):
         return self.inner == self.end
 
 
-def kept(original: bytes, before: bytes, now: bytes) -> bytes:
+def preserve_layout(original: bytes, before: bytes, now: bytes) -> bytes:
     """The new text of a model in the layout of its file.
 
     Args:
@@ -58,7 +58,7 @@ def kept(original: bytes, before: bytes, now: bytes) -> bytes:
         now: the text that we write for the model as it is.
 
     Raises:
-        NotKept: the file is laid out in a way that cannot be followed.
+        NotPreservedError: the file is laid out in a way that cannot be followed.
     """
     if before == now:
         return original
@@ -68,10 +68,10 @@ def kept(original: bytes, before: bytes, now: bytes) -> bytes:
     if root.local == b"XMI" and old.root.local != b"XMI":  # one root in an element around all
         inside = [child for child in root.children if child.local == old.root.local]
         if len(inside) != 1:
-            raise NotKept
+            raise NotPreservedError
         root = inside[0]
     if old.root.local != new.root.local or root.local != old.root.local:
-        raise NotKept
+        raise NotPreservedError
     merged = _Merge(file, old, new).element(root, old.root, new.root)
     whole = file.data[: root.start] + merged + file.data[root.end :]
     return mark + whole.decode().encode(encoding, "xmlcharrefreplace")
@@ -87,7 +87,7 @@ def _decoded(data: bytes) -> tuple[str, str, bytes]:
     try:
         return data.decode(name), name, b""
     except (LookupError, UnicodeDecodeError):
-        raise NotKept from None
+        raise NotPreservedError from None
 
 
 class ElementText:
@@ -120,7 +120,7 @@ class ElementText:
         try:
             parser.Parse(data, True)
         except expat.ExpatError:
-            raise NotKept from None
+            raise NotPreservedError from None
         self.root = tops[0]
 
     def _start_tag(self, tag: bytes, at: int) -> TextElement:
@@ -254,7 +254,7 @@ class _Merge:
             if len(ours) == len(theirs):
                 found |= {id(their): our for their, our in zip(theirs, ours, strict=True)}
             elif [self.old.of(x) for x in ours] != [self.new.of(x) for x in new.children if x.tag == tag]:
-                raise NotKept
+                raise NotPreservedError
         return found
 
     def matched(self, old: TextElement, new: TextElement) -> dict[int, TextElement]:
@@ -276,7 +276,7 @@ class _Merge:
         yield from zip(old[:start], new[:start], strict=True)
         ours, theirs = old[start : len(old) - stop], new[start : len(new) - stop]
         if max(len(ours), len(theirs)) > _LARGE:
-            raise NotKept
+            raise NotPreservedError
         keys = [self.old.key(x) for x in ours], [self.new.key(x) for x in theirs]
         for what, a, b, c, d in SequenceMatcher(None, *keys, autojunk=False).get_opcodes():
             if what == "equal" or (what == "replace" and b - a == d - c):
