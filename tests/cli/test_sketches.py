@@ -16,7 +16,7 @@ from tests.running import run
 SKETCH = Path(__file__).parent / "sketches" / "two_tabs"
 
 
-def units(*words: object) -> dict[str, dict[str, Any]]:
+def units(*words: str | Path) -> dict[str, dict[str, Any]]:
     outcome = run("analyse", *words, "--json")
     assert outcome.code == 0, outcome.err
     assert not [finding for finding in outcome.document["findings"] if finding["severity"] == "error"]

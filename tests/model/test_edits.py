@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -37,7 +38,7 @@ def test_a_container_given_to_a_constructor_contains_the_element(graph: EmfModel
 
 
 @pytest.mark.parametrize("wrong", [{"nmae": "z"}, {"weight": "heavy"}, {"out": [3]}, {"out": None, "into": "x"}])
-def test_a_constructor_that_fails_leaves_nothing_behind(graph: EmfModel, wrong: dict[str, object]) -> None:
+def test_a_constructor_that_fails_leaves_nothing_behind(graph: EmfModel, wrong: dict[str, Any]) -> None:
     group, edge = graph.Group.all[0], graph.Edge.all[0]
     before = list(graph.all_contents()), edge.source
     with pytest.raises(ModelError):

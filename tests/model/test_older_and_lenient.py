@@ -165,7 +165,8 @@ def test_without_a_step_an_older_model_is_refused() -> None:
 def test_a_missing_value_is_a_finding_unless_strict() -> None:
     with pytest.raises(RobosmiError, match="Gate has no 'label', which it needs"):
         EmfModel.load(UNNAMED, METAMODEL, strict=True)
-    for model in (EmfModel.load(UNNAMED, METAMODEL), open_model(UNNAMED, metamodel=METAMODEL, lenient=True)):
+    models: list[Any] = [EmfModel.load(UNNAMED, METAMODEL), open_model(UNNAMED, metamodel=METAMODEL, lenient=True)]
+    for model in models:
         assert [finding.rule for finding in model.findings] == ["RS608"]
         v = EVL(model)
         v.context("Gate").constraint(name="Named")(lambda gate: gate.label is not None or Fail("none"))

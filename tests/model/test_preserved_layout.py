@@ -26,8 +26,8 @@ def canonical(path: Path) -> bytes:
 
 def changed(old: bytes, new: bytes) -> list[str]:
     """The lines of a diff without its head."""
-    lines = [each.decode("latin-1").splitlines() for each in (old, new)]
-    return [line for line in unified_diff(*lines, n=0, lineterm="") if line[:1] in "+-" and line[:3] not in ("+++", "---")]
+    before, after = (each.decode("latin-1").splitlines() for each in (old, new))
+    return [line for line in unified_diff(before, after, n=0, lineterm="") if line[:1] in "+-" and line[:3] not in ("+++", "---")]
 
 
 @pytest.mark.parametrize("newline", [b"\n", b"\r\n"])

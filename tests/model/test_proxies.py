@@ -97,7 +97,7 @@ def test_foreign_fragments_stay_and_a_hook_resolves_them(folder: Path) -> None:
 def test_uris_are_mapped_to_files(folder: Path, uri: str) -> None:
     (folder / "w.xmi").write_text((folder / "w.xmi").read_text().replace("ok.xmi", f"{uri}ok.xmi"))
     assert rules(opened(folder, "w.xmi")) == [("RS609", 4)]
-    model = Session(uris={uri: folder}).open_model(folder / "w.xmi", metamodel=folder / "g.ecore")
+    model: Any = Session(uris={uri: folder}).open_model(folder / "w.xmi", metamodel=folder / "g.ecore")
     assert (model.Edge.all[0].source.name, rules(model)) == ("n2", [])
 
 

@@ -106,7 +106,7 @@ def test_containment_across_files_is_one_model_and_two_files(folder: Path, order
 
 def test_a_file_that_was_read_with_a_model_is_saved_with_it(folder: Path) -> None:
     s = Session()
-    whole = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
+    whole: Any = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
     whole.Node.all[0].name = "changed"
     assert [path.name for path in s.save_all()] == ["q.xmi"]
     assert b'<nodes name="changed"/>' in (folder / "q.xmi").read_bytes()
@@ -114,8 +114,8 @@ def test_a_file_that_was_read_with_a_model_is_saved_with_it(folder: Path) -> Non
 
 def test_a_part_that_is_moved_belongs_to_its_new_file(folder: Path) -> None:
     s = Session()
-    whole = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
-    other = s.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
+    whole: Any = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
+    other: Any = s.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
     part = whole.roots[0].groups[0]
     whole.roots[0].groups.remove(part)
     other.roots[0].groups.append(part)
@@ -127,8 +127,8 @@ def test_a_part_that_is_moved_belongs_to_its_new_file(folder: Path) -> None:
 
 def test_nothing_is_written_when_one_model_cannot_be(folder: Path) -> None:
     s = Session()
-    whole = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
-    other = s.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
+    whole: Any = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
+    other: Any = s.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
     whole.roots[0].name = "changed"
     other.Edge.all[0].source = EmfModel((), whole.metamodel, "lost").Node(name="lost")
     before = {path.name: path.read_bytes() for path in folder.glob("*.xmi")}

@@ -76,7 +76,7 @@ def test_a_change_that_cannot_take_effect_is_refused(change: Any) -> None:
 
 def test_the_root_may_be_another_element(tmp_path: Path) -> None:
     (tmp_path / "x.xml").write_bytes(b"<!-- first -->\n<r><a/></r>\n<!-- last -->\n")
-    model = ModelView(XmlModel.load(tmp_path / "x.xml"))
+    model: Any = ModelView(XmlModel.load(tmp_path / "x.xml"))
     old = model.root
     model.root = model.t_feed(a_x="1")
     assert [x.tagName for x in model.all_contents()] == ["feed"]
@@ -99,7 +99,7 @@ def test_elements_that_were_put_nowhere_stop_the_save(tmp_path: Path) -> None:
 
 
 def test_names_with_colons_are_found_made_and_set() -> None:
-    model = XmlModel.parse(FEED)
+    model: Any = XmlModel.parse(FEED)
     (creator,) = model["t_dc:creator"].all
     assert (creator.text, creator.tagName, creator.namespaceURI) == ("Ann", "dc:creator", "u:dc")
     assert [x.text for x in model.t_creator.all] == ["Ann", "Ben"]
@@ -120,14 +120,14 @@ def test_names_with_colons_are_found_made_and_set() -> None:
 
 
 def test_namespaces_are_declared_by_attributes_as_in_dom() -> None:
-    model = XmlModel.new()
+    model: Any = XmlModel.new()
     model.root = model.t_feed()
     model.root.a_xmlns = "u:atom"
     setattr(model.root, "a_xmlns:dc", "u:dc")
     entry = model.t_entry()
     model.root.appendChild(entry)
     entry.appendChild(model["t_dc:date"]())
-    again = XmlModel.parse(model.to_bytes())
+    again: Any = XmlModel.parse(model.to_bytes())
     assert [(x.tagName, x.namespaceURI) for x in again.all_contents()] == [
         ("feed", "u:atom"), ("entry", "u:atom"), ("dc:date", "u:dc"),
     ]  # fmt: skip
@@ -151,7 +151,7 @@ def test_references_are_set() -> None:
 
 
 def test_a_new_document_is_made(tmp_path: Path) -> None:
-    model = XmlModel.new(tmp_path / "atom.xml", namespaces={"": "u:atom", "dc": "u:dc"})
+    model: Any = XmlModel.new(tmp_path / "atom.xml", namespaces={"": "u:atom", "dc": "u:dc"})
     with pytest.raises(ModelError, match="no root"):
         model.save()
     model.root = model.t_feed()
