@@ -54,6 +54,15 @@ def test_pins_of_calls_are_known() -> None:
     assert (use["pin"], use["function"], use["direction"], use["line"]) == (7, "digitalWrite", "out", 6)
 
 
+def test_places_in_a_library_of_the_sketch_s_own_are_told_by_its_folder_alone() -> None:
+    sketch = SKETCH.parent / "own_library" / "own_library.ino"
+    result = run("analyse", sketch, "--target", "pico", "--json").result
+    assert result["bundled_libraries"] == [str(sketch.parent / "src" / "Lamp")]
+    assert [(Path(place["path"]).name, place["line"], place["kind"]) for place in result["portability"]] == [
+        ("own_library.ino", 4, "pin_13"), ("own_library.ino", 5, "port_register"), ("own_library.ino", 5, "avr_libc_call"),
+    ]  # fmt: skip
+
+
 def test_the_board_decides_what_is_compiled(tmp_path: Path) -> None:
     sketch = tmp_path / "s" / "s.ino"
     sketch.parent.mkdir()

@@ -12,7 +12,7 @@ from robosmi.transformations.verification.stubs import with_stubs
 from tests.running import run
 from tests.tools import require_verification
 
-PROGRAM = Path(__file__).parent / "cases" / "unknown" / "unknown.c"
+PROGRAM = Path(__file__).parent / "unknown_functions" / "unknown.c"
 FUNCTIONS = {"beacon", "say", "drive_pins"}
 
 

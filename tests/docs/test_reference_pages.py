@@ -113,6 +113,7 @@ RESULTS: dict[str, list[list[str | Path]]] = {
         ["analyse", LINE_FOLLOWER / "line_follower.c"],
         ["analyse", ROOT / "tests" / "docs" / "uses_all.c"],
         ["analyse", ROOT / "tests" / "cli" / "own_header" / "signal.c"],
+        ["analyse", ROOT / "tests" / "cli" / "sketches" / "own_library" / "own_library.ino", "--target", "pico"],
     ],
     "hardware": [["hardware", LINE_FOLLOWER / "line_following_robot.fzz"]],
     "recommend": [["recommend", LINE_FOLLOWER / "line_following_robot.fzz"]],
