@@ -34,13 +34,8 @@ class Analysis(Struct, frozen=True):
         """What a person reads."""
         lines: list[str] = []
         for unit in self.result["units"]:
-            main = unit["main"]
-            loop = (
-                f"main has a {main['loop_kind']} loop in line {main['loop_line']}"
-                if main and main["loop_line"]
-                else "no endless loop in main"
-            )
-            lines.append(f"{unit['path']}: {len(unit['functions'])} functions, {len(unit['globals'])} globals; {loop}")
+            counts = f"{unit['path']}: {len(unit['functions'])} functions, {len(unit['globals'])} globals"
+            lines.append(counts if unit["main"] is None else f"{counts}; {_loop_of(unit['main'])}")
             for call in unit["platform_calls"]:
                 lines.append(f"  {call['header'] or '?':20} {call['signature'] or call['name']:50} {call['count']} calls")
             symbols = ", ".join(s["name"] for s in unit["platform_symbols"])
@@ -193,3 +188,9 @@ def analyse(
     )
     with project_of_input(paths[0]), read_once():
         return run.value("analysis", Analysis)
+
+
+def _loop_of(main: dict[str, Any]) -> str:
+    if not main["loop_line"]:
+        return "no endless loop in main"
+    return f"main has a {main['loop_kind']} loop in line {main['loop_line']}"
