@@ -113,9 +113,11 @@ class Generated(Struct):
 
     def lines(self) -> list[str]:
         """What a person reads."""
-        from robosmi.verify.traces.verdict import NOT_COMPILED  # only a run that verifies has loaded it
+        compiles: bool | None = None
+        if self.verification is not None:
+            from robosmi.verify.traces.verdict import NOT_COMPILED  # only a run that verifies needs it
 
-        compiles = None if self.verification is None else self.verification[0]["verdict"] != NOT_COMPILED
+            compiles = self.verification[0]["verdict"] != NOT_COMPILED
         lines = terminal_lines(
             self.models.plan, self.models.files, self.sketch, made=self.written, known=self.counted, compiles=compiles
         )
