@@ -25,7 +25,10 @@ _DIODES = ("diode", "zener", "schottky", "rectifier")
     guard=lambda c: wiring_of(c).facts(c).series_resistor,
 )  # fmt: skip
 def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
-    """An LED has a resistor in series."""
+    """An LED has a resistor in series.
+
+    Of a part with several LEDs and a common leg, the common leg or each of the others has one.
+    """
     w = wiring_of(c)
     ends = [(connector, net, _gives_current(w, c, net)) for connector, net in w.nets(c)]
     common = [end for end in ends if w.means(end[0], "common")]

@@ -86,8 +86,8 @@ def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacemen
     """The deletions in the copy at file scope: initial values that stay in main, and `const` of the variables assigned later."""
     begin = int(moved.statement.startOffset)
     specifiers = name_place(moved.variables[0], data)
-    before = begin
-    plain = False
+    before = begin  # the end of the previous declarator
+    plain = False  # whether a variable that is no pointer is assigned later: `const` among the specifiers is its own
     for variable in moved.variables:
         name = name_place(variable, data)
         if variable in moved.assigned and variable.initializer is not None:
