@@ -17,7 +17,7 @@ from robosmi.transformations.knowledge.platforms.portability_facts import portab
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.queries.circuits.circuit import boards
 from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.portability.analysed_program import Place
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
 from robosmi.transformations.queries.portability.places import portability
 
@@ -87,7 +87,7 @@ def _drawn(paths: Sequence[Path]) -> str | None:
     return drawn.pop() if len(drawn) == 1 else None
 
 
-def places_of(program: ccode.Program, api: ApiIndex, board: SourceBoard | None, target: str) -> list[Place]:
+def places_of(program: ccode.Program, api: ApiIndex, board: SourceBoard | None, target: str) -> list[PortabilityPlace]:
     """The places that may behave differently on a target.
 
     Raises:

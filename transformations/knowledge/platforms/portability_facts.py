@@ -20,7 +20,7 @@ from robosmi.project import read_data
 from robosmi.transformations.knowledge.platforms.platform_folder import platform_folder
 
 
-class Kind(Struct, frozen=True, forbid_unknown_fields=True):
+class PlaceKind(Struct, frozen=True, forbid_unknown_fields=True):
     """A kind of place; the file explains the attributes.
 
     `functions`, `stores`, `converters`, `conditions`, `words` and `registers` are read by the one rule that needs them.
@@ -57,7 +57,7 @@ class PortabilityFacts(Struct, frozen=True):
         microcontrollers: name -> what it has; one that is not listed has nothing of it.
     """
 
-    kinds: Mapping[str, Kind]
+    kinds: Mapping[str, PlaceKind]
     registers: Mapping[str, Sequence[str]] = {}
     microcontrollers: Mapping[str, Chip] = {}
 

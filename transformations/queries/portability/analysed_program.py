@@ -11,11 +11,11 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.portability_facts import PortabilityFacts
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.portability.board_move import BoardMove
-from robosmi.transformations.queries.portability.names import UsedName, foreign_names
-from robosmi.transformations.queries.portability.pin_origins import Origin, PinOrigins
+from robosmi.transformations.queries.portability.names import ForeignName, foreign_names
+from robosmi.transformations.queries.portability.pin_origins import PinOrigin, PinOrigins
 
 
-class Place(Struct, frozen=True):
+class PortabilityPlace(Struct, frozen=True):
     """A place that may behave otherwise: contract `portability[]`."""
 
     kind: str
@@ -45,7 +45,7 @@ class AnalysedProgram:
         self.views, self.facts, self.move = views, facts, move
 
     @cached_property
-    def names(self) -> Mapping[int, Sequence[UsedName]]:
+    def names(self) -> Mapping[int, Sequence[ForeignName]]:
         """Number of a view -> the names in it that the program does not declare."""
         return {number: foreign_names(view) for number, view in enumerate(self.views)}
 
@@ -55,7 +55,7 @@ class AnalysedProgram:
         return PinOrigins(self.views)
 
     @cached_property
-    def pin_numbers(self) -> Sequence[Origin]:
+    def pin_numbers(self) -> Sequence[PinOrigin]:
         """Where the program writes numbers of pins."""
         return [origin for view in self.views for origin in self.origins.of_calls(view)]
 

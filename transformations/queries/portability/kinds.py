@@ -12,14 +12,14 @@ from fnmatch import fnmatchcase
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.knowledge.platforms.portability_facts import Chip, Kind
+from robosmi.transformations.knowledge.platforms.portability_facts import Chip, PlaceKind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, At
-from robosmi.transformations.queries.portability.pin_origins import Origin
+from robosmi.transformations.queries.portability.pin_origins import PinOrigin
 
 Found = Iterator[tuple[At, str]]
-Rule = Callable[[Kind, AnalysedProgram], Found]
+Rule = Callable[[PlaceKind, AnalysedProgram], Found]
 _BYTES = frozenset(["char", "signed char", "unsigned char", "bool", "int8_t", "uint8_t", "byte", "boolean"])
 _INTS = frozenset(["int", "signed int", "signed", "unsigned int", "unsigned", "word", "size_t"])
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -28,7 +28,7 @@ _WITHOUT_BITS = re.compile(r"(PORT|PIN|DDR)([A-L])")
 _PIN_WORDS = frozenset(["pin", "pins"])
 
 
-def named(kind: Kind, seen: AnalysedProgram) -> Found:
+def named(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Uses of names, includes of headers, and declarations with types."""
     for number, view in enumerate(seen.views):
         for include in view.unit.includes:
@@ -54,7 +54,7 @@ def _matches(name: str, patterns: tuple[str, ...]) -> bool:
     return any(fnmatchcase(name, pattern) for pattern in patterns)
 
 
-def registers(kind: Kind, seen: AnalysedProgram) -> Found:
+def registers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Registers that the other microcontroller lacks, or has for other pins."""
     names = frozenset(seen.facts.registers.get(kind.registers, ()))
     there = seen.facts.microcontrollers.get(seen.move.target.chip, Chip()).registers
@@ -77,7 +77,7 @@ def _pins(prefix: str, ports: Mapping[str, str]) -> dict[str, str]:
     return {port: label for port, label in ports.items() if port.startswith(prefix)}
 
 
-def interrupt_vectors(kind: Kind, seen: AnalysedProgram) -> Found:
+def interrupt_vectors(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Interrupt functions for vectors that the other microcontroller lacks."""
     there = seen.facts.microcontrollers.get(seen.move.target.chip, Chip()).vectors
     for number, view in enumerate(seen.views):
@@ -87,7 +87,7 @@ def interrupt_vectors(kind: Kind, seen: AnalysedProgram) -> Found:
                 yield At(view.unit, use.line), vector[1] if vector is not None else use.name
 
 
-def board_conditions(kind: Kind, seen: AnalysedProgram) -> Found:
+def board_conditions(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Conditional directives that ask for a board or processor."""
     for view in seen.views:
         for each in view.unit.conditionals:
@@ -96,7 +96,7 @@ def board_conditions(kind: Kind, seen: AnalysedProgram) -> Found:
                 yield At(view.unit, int(each.line)), name
 
 
-def sizes_of_int(kind: Kind, seen: AnalysedProgram) -> Found:
+def sizes_of_int(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """`sizeof(int)`, where int has another width."""
     if seen.move.source.int_bits == seen.move.target.int_bits:
         return
@@ -107,7 +107,7 @@ def sizes_of_int(kind: Kind, seen: AnalysedProgram) -> Found:
                 yield At(view.unit, int(size.line)), f"sizeof({spelling})"
 
 
-def bytes_of_objects(kind: Kind, seen: AnalysedProgram) -> Found:
+def bytes_of_objects(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Objects that are copied, stored or sent as bytes, where their size or layout differs."""
     if seen.move.source.architecture == seen.move.target.architecture:
         return
@@ -122,7 +122,7 @@ def bytes_of_objects(kind: Kind, seen: AnalysedProgram) -> Found:
                 yield At(view.unit, int(cast.line)), expression_text(inner)
 
 
-def _objects_of(call: ccode.Call, kind: Kind) -> list[ccode.Expression]:
+def _objects_of(call: ccode.Call, kind: PlaceKind) -> list[ccode.Expression]:
     """The arguments whose bytes a call copies, or moves from or to the EEPROM."""
     arguments = list(call.arguments)
     if str(call.calleeName) in kind.functions:
@@ -151,7 +151,7 @@ def _has_layout(argument: ccode.Expression) -> bool:
     return use is not None and kind_of_type(use) not in _BYTES | {"void"} and "void" not in str(use.spelling).split()
 
 
-def times_in_int(kind: Kind, seen: AnalysedProgram) -> Found:
+def times_in_int(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """A variable of 16 bits that takes milliseconds or microseconds."""
     if seen.move.source.int_bits == seen.move.target.int_bits:
         return
@@ -173,7 +173,7 @@ def _in_int(use: ccode.TypeUse | None) -> bool:
     return use is not None and kind_of_type(use) in _INTS and not use.arrayDims and not use.pointerDepth
 
 
-def _takes_time(value: ccode.Expression | None, kind: Kind) -> bool:
+def _takes_time(value: ccode.Expression | None, kind: PlaceKind) -> bool:
     if isinstance(value, ccode.Binary):
         return value.operator in ("+", "-") and (_takes_time(value.left, kind) != _takes_time(value.right, kind))
     if isinstance(value, ccode.Cast):
@@ -181,7 +181,7 @@ def _takes_time(value: ccode.Expression | None, kind: Kind) -> bool:
     return isinstance(value, ccode.Call) and str(value.calleeName) in kind.functions
 
 
-def interrupt_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
+def interrupt_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Numbers of interrupts that mean another pin on the other board."""
     for view in seen.views:
         converted = [int(use.startOffset) for use in view.unit.macroUses if str(use.name) in kind.converters]
@@ -192,7 +192,7 @@ def interrupt_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
                     yield At(view.unit, int(call.line)), str(value.number)
 
 
-def _calls(view: CodeView, kind: Kind) -> list[ccode.Call]:
+def _calls(view: CodeView, kind: PlaceKind) -> list[ccode.Call]:
     found = [call for call in view.of_kind(ccode.Call) if str(call.calleeName) in kind.functions and call.arguments]
     return [call for call in found if not isinstance(call.calleeExpression, ccode.Member)]
 
@@ -202,7 +202,7 @@ def _other_interrupt(number: int, seen: AnalysedProgram) -> bool:
     return here is None or here != there
 
 
-def analog_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
+def analog_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Channels of the converter in the place of pins, where the other board takes them for pins."""
     for view in seen.views:
         for call in _calls(view, kind):
@@ -217,19 +217,19 @@ def _other_channel(number: int, seen: AnalysedProgram) -> bool:
     return is_channel and here.architecture != there.architecture
 
 
-def pins_as_analog_numbers(kind: Kind, seen: AnalysedProgram) -> Found:
+def pins_as_analog_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Numbers that are those of analogue pins on the source board, and of other pins on the other board."""
     here, there = seen.move.source.numbers, seen.move.target.numbers
     analog = {number for number, label in here.items() if label.startswith("A") and there.get(number) != label}
     yield from ((at, str(origin.number)) for at, origin in _pin_numbers(analog, seen))
 
 
-def analog_pins(kind: Kind, seen: AnalysedProgram) -> Found:
+def analog_pins(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Analogue pins that the other board does not have."""
     return ((at, name) for at, name in named(kind, seen) if name not in seen.move.target.aliases)
 
 
-def pin_of_led(kind: Kind, seen: AnalysedProgram) -> Found:
+def pin_of_led(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """The number of the pin with the source board's LED, where the other board has it at another pin."""
     here, there = seen.move.source, seen.move.target
     numbers = {number for number, label in here.numbers.items() if label == here.led and there.numbers.get(number) != there.led}
@@ -250,23 +250,23 @@ def _words_around(element: Element | None) -> set[str]:
     return set()
 
 
-def _pin_numbers(numbers: set[int], seen: AnalysedProgram) -> Iterator[tuple[At, Origin]]:
+def _pin_numbers(numbers: set[int], seen: AnalysedProgram) -> Iterator[tuple[At, PinOrigin]]:
     for origin in (*seen.pin_numbers, *_called_pins(seen)):
         at = seen.at(origin.at) if origin.number in numbers else None
         if at is not None:
             yield at, origin
 
 
-def _called_pins(seen: AnalysedProgram) -> Iterator[Origin]:
+def _called_pins(seen: AnalysedProgram) -> Iterator[PinOrigin]:
     """Constants that are called pins: what uses them may be a library that nobody knows."""
     for view in seen.views:
         for variable in view.of_kind(ccode.Variable):
             if _is_pin(str(variable.name)) and isinstance(variable.initializer, ccode.IntegerLiteral):
-                yield Origin(int(variable.initializer.value), variable.initializer)
+                yield PinOrigin(int(variable.initializer.value), variable.initializer)
         for macro in view.unit.macros:
             body = str(macro.body or "").strip("() ")
             if not macro.functionLike and _is_pin(str(macro.name)) and body.isdigit():
-                yield Origin(int(body), macro)
+                yield PinOrigin(int(body), macro)
 
 
 def _is_pin(name: str) -> bool:

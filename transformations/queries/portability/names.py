@@ -24,7 +24,7 @@ _MEMBER = frozenset([".", "->"])
 _OPENS = frozenset(["if", "ifdef", "ifndef"])
 
 
-class UsedName(Struct, frozen=True):
+class ForeignName(Struct, frozen=True):
     """A name that is used in a line; `text` is the whole use of a macro, else the name."""
 
     name: str
@@ -32,7 +32,7 @@ class UsedName(Struct, frozen=True):
     text: str = ""
 
 
-def foreign_names(view: CodeView) -> list[UsedName]:
+def foreign_names(view: CodeView) -> list[ForeignName]:
     """The names of a unit that its program does not declare, with each line in which they are used.
 
     Args:
@@ -53,36 +53,36 @@ def _only_external(declaration: ccode.Declaration) -> bool:
     return isinstance(declaration, ccode.Variable) and declaration.storage.name == "externStorage"
 
 
-def _in_model(view: CodeView) -> Iterator[UsedName]:
+def _in_model(view: CodeView) -> Iterator[ForeignName]:
     for reference in view.of_kind(ccode.NameReference):
         if reference.target is None or unit_of(reference.target) is None or _only_external(reference.target):
-            yield UsedName(str(reference.name), int(reference.line))
+            yield ForeignName(str(reference.name), int(reference.line))
     for call in view.of_kind(ccode.Call):
         program_own = call.callee is not None and unit_of(call.callee) is not None
         if not program_own and not isinstance(call.calleeExpression, ccode.Member):
-            yield UsedName(str(call.calleeName or ""), int(call.line))
+            yield ForeignName(str(call.calleeName or ""), int(call.line))
     for use in view.unit.macroUses:
         if use.macro is None:
-            yield UsedName(str(use.name), int(use.line), str(use.text or ""))
+            yield ForeignName(str(use.name), int(use.line), str(use.text or ""))
     for variable in view.of_kind(ccode.Variable):
         if _only_external(variable):
-            yield UsedName(str(variable.name), int(variable.line))
+            yield ForeignName(str(variable.name), int(variable.line))
     for lost in view.unit.unresolved:
-        yield UsedName(str(lost.name), int(lost.line))
+        yield ForeignName(str(lost.name), int(lost.line))
 
 
-def _in_text(view: CodeView, own: set[str]) -> Iterator[UsedName]:
+def _in_text(view: CodeView, own: set[str]) -> Iterator[ForeignName]:
     for macro in view.unit.macros:
         for name in names_in(str(macro.body or "")) - set(macro.parameters) - own:
-            yield UsedName(name, int(macro.line))
+            yield ForeignName(name, int(macro.line))
     statements = [(str(each.text or ""), int(each.line)) for each in view.of_kind(ccode.UnknownStatement)]
     expressions = [(str(each.text or ""), int(each.line)) for each in view.of_kind(ccode.UnknownExpression)]
     for text, line in (*statements, *expressions):
-        yield from (UsedName(name, line) for name in names_in(text) - own)
+        yield from (ForeignName(name, line) for name in names_in(text) - own)
     yield from (use for use in _not_in_model(view.unit) if use.name not in own)
 
 
-def _not_in_model(unit: ccode.SourceUnit) -> Iterator[UsedName]:
+def _not_in_model(unit: ccode.SourceUnit) -> Iterator[ForeignName]:
     """The names in the text that conditional directives leave out, and in lines that the parser complains about."""
     damaged = {int(problem.line) for problem in unit.problems}
     ranges = list(left_out_ranges(unit.conditionals))
@@ -97,7 +97,7 @@ def _not_in_model(unit: ccode.SourceUnit) -> Iterator[UsedName]:
         out = place >= 0 and start < ranges[place][1]
         if before not in _MEMBER and (out or (kind == "name" and bisect_right(lines, start) in damaged)):
             for name, offset in _names_of(kind, text):
-                yield UsedName(name, bisect_right(lines, start + offset))
+                yield ForeignName(name, bisect_right(lines, start + offset))
         before = text if kind != "comment" else before
 
 

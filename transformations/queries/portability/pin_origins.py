@@ -19,7 +19,7 @@ from robosmi.transformations.queries.values import passed_arguments
 _DEEPEST = 12
 
 
-class Origin(Struct, frozen=True):
+class PinOrigin(Struct, frozen=True):
     """A number, and the element of the program that has it."""
 
     number: int
@@ -36,7 +36,7 @@ class PinOrigins:
     def __init__(self, views: Sequence[CodeView]) -> None:
         self._views = views
 
-    def of_calls(self, view: CodeView) -> Iterator[Origin]:
+    def of_calls(self, view: CodeView) -> Iterator[PinOrigin]:
         """Where the numbers of the pins that a unit's calls use are written, in any unit."""
         for function in view.called().values():
             facts = view.api.pins(function.name, function.header)
@@ -45,12 +45,12 @@ class PinOrigins:
                     if parameter.position < len(call.arguments):
                         yield from self.of(call.arguments[parameter.position], view)
 
-    def of(self, expression: Element | None, view: CodeView, depth: int = 0) -> Iterator[Origin]:
+    def of(self, expression: Element | None, view: CodeView, depth: int = 0) -> Iterator[PinOrigin]:
         """Where the numbers that an expression may have are written."""
         if expression is None or depth > _DEEPEST:
             return
         if isinstance(expression, ccode.IntegerLiteral):
-            yield Origin(int(expression.value), expression)
+            yield PinOrigin(int(expression.value), expression)
         elif isinstance(expression, ccode.Cast):
             yield from self.of(expression.operand, view, depth + 1)
         elif isinstance(expression, ccode.InitializerList):
@@ -63,13 +63,13 @@ class PinOrigins:
         elif isinstance(expression, ccode.NameReference):
             yield from self._of_name(expression, view, depth)
 
-    def _of_name(self, reference: ccode.NameReference, view: CodeView, depth: int) -> Iterator[Origin]:
+    def _of_name(self, reference: ccode.NameReference, view: CodeView, depth: int) -> Iterator[PinOrigin]:
         target = reference.target
         macro = view.values.macros.get(str(reference.name)) if target is None else None
         if macro is not None:
-            yield from (Origin(value.number, macro) for value in view.values.of(reference) if value.number is not None)
+            yield from (PinOrigin(value.number, macro) for value in view.values.of(reference) if value.number is not None)
         elif isinstance(target, ccode.EnumerationLiteral):
-            yield Origin(int(target.value), target)
+            yield PinOrigin(int(target.value), target)
         elif isinstance(target, ccode.Variable):
             yield from self.of(target.initializer, view, depth + 1)
         elif isinstance(target, ccode.Field):
@@ -78,7 +78,7 @@ class PinOrigins:
             for argument in (*passed_arguments(target), *self._constructed_with(target)):
                 yield from self.of(argument, view, depth + 1)
 
-    def _of_member(self, name: str, view: CodeView, depth: int) -> Iterator[Origin]:
+    def _of_member(self, name: str, view: CodeView, depth: int) -> Iterator[PinOrigin]:
         for value in self._members.get(name, ()):
             yield from self.of(value, view, depth + 1)
 

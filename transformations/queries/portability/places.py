@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from robosmi.transformations.knowledge.platforms.portability_facts import Kind, PortabilityFacts
+from robosmi.transformations.knowledge.platforms.portability_facts import PlaceKind, PortabilityFacts
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, Place
+from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, PortabilityPlace
 from robosmi.transformations.queries.portability.board_move import BoardMove
 from robosmi.transformations.queries.portability.kinds import RULES, named
 
 
-def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove) -> list[Place]:
+def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove) -> list[PortabilityPlace]:
     """The places, by file and line; each line once for a kind.
 
     Args:
@@ -26,22 +26,22 @@ def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardM
     seen = AnalysedProgram(views, facts, move)
     order = {id(view.unit): number for number, view in enumerate(views)}
     paths = {str(view.unit.path): order[id(view.unit)] for view in views}
-    found: dict[tuple[str, str, int], Place] = {}
+    found: dict[tuple[str, str, int], PortabilityPlace] = {}
     for name, kind in facts.kinds.items():
         for place in _places(name, kind, seen):
             found.setdefault((name, place.path, place.line), place)
     return sorted(found.values(), key=lambda place: (paths.get(place.path, 0), place.line))
 
 
-def _places(name: str, kind: Kind, seen: AnalysedProgram) -> Iterator[Place]:
+def _places(name: str, kind: PlaceKind, seen: AnalysedProgram) -> Iterator[PortabilityPlace]:
     if _alike(kind, seen.move):
         return
     for at, what in RULES.get(name, named)(kind, seen):
         text = kind.what.format(name=what, target=seen.move.target.title)
-        yield Place(name, seen.path_of(at), at.line, text, kind.cure)
+        yield PortabilityPlace(name, seen.path_of(at), at.line, text, kind.cure)
 
 
-def _alike(kind: Kind, move: BoardMove) -> bool:
+def _alike(kind: PlaceKind, move: BoardMove) -> bool:
     source, target = move.source, move.target
     same_chip = source.chip == target.chip
     return (kind.alike == "microcontroller" and same_chip) or (

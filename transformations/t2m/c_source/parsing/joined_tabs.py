@@ -22,7 +22,7 @@ _NO_NAMES = frozenset(["if", "while", "for", "switch", "catch", "return", "sizeo
 _NO_TYPES = frozenset(["struct", "class", "union", "enum", "namespace", "template", "typedef", "operator", "else", "do", "="])
 
 
-class Joined(Struct, frozen=True):
+class JoinedTabs(Struct, frozen=True):
     """What the tools add to a file: the text before it, and prototypes in it.
 
     Attributes:
@@ -34,11 +34,11 @@ class Joined(Struct, frozen=True):
     added: Sequence[Replacement]
 
 
-NOT_JOINED = Joined({}, ())
+NOT_JOINED = JoinedTabs({}, ())
 """Of a file that is a text of its own."""
 
 
-def joined_text(source: ReadSource, tabs: Sequence[ReadSource]) -> Joined:
+def joined_text(source: ReadSource, tabs: Sequence[ReadSource]) -> JoinedTabs:
     """What the tools add to a tab.
 
     Args:
@@ -50,7 +50,7 @@ def joined_text(source: ReadSource, tabs: Sequence[ReadSource]) -> Joined:
         prototypes(tab.tokens, [other.tokens for other in tabs[place + 1 :]]) for place, tab in enumerate(tabs[: number + 1])
     ]
     before = zip(tabs[:number], added, strict=False)
-    return Joined({tab.path: Scratch(tab.parsed, edits).data for tab, edits in before}, added[number])
+    return JoinedTabs({tab.path: Scratch(tab.parsed, edits).data for tab, edits in before}, added[number])
 
 
 def prototypes(tokens: Sequence[Token], others: Iterable[Sequence[Token]] = ()) -> list[Replacement]:

@@ -15,7 +15,7 @@ SOURCES = (".c", ".cc", ".cpp", ".cxx")
 HEADERS = (".h", ".hh", ".hpp")
 
 
-class Sketch(Struct, frozen=True):
+class SketchFiles(Struct, frozen=True):
     """The files of a sketch.
 
     Attributes:
@@ -39,7 +39,7 @@ def is_tab(path: str, settings: SketchSettings | None) -> bool:
     return settings is not None and path.lower().endswith(tuple(settings["endings"]))
 
 
-def sketch_of(path: str, settings: SketchSettings) -> Sketch:
+def sketch_of(path: str, settings: SketchSettings) -> SketchFiles:
     """The sketch that a tab belongs to: all of its folder, and the sources below its folder `sources`.
 
     The first tab is the one with the folder's name, else the given one.
@@ -53,7 +53,7 @@ def sketch_of(path: str, settings: SketchSettings) -> Sketch:
     named = os.path.basename(os.path.abspath(folder))
     main = next((tab for tab in tabs if os.path.splitext(os.path.basename(tab))[0] == named), path)
     own = [*beside, *sorted(below)]
-    return Sketch(
+    return SketchFiles(
         (main, *(tab for tab in tabs if os.path.realpath(tab) != os.path.realpath(main))),
         tuple(file for file in own if file.lower().endswith(SOURCES)),
         tuple(file for file in own if file.lower().endswith(HEADERS)),

@@ -18,7 +18,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
 from robosmi.transformations.knowledge.api_data import SketchSettings
 from robosmi.transformations.queries.source_text import HEADERS
-from robosmi.transformations.t2m.c_source.parsing.sketch import Sketch, is_tab, sketch_of
+from robosmi.transformations.t2m.c_source.parsing.sketch import SketchFiles, is_tab, sketch_of
 from robosmi.transformations.t2m.c_source.parsing.source import is_cplusplus
 
 ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".pde", ".C")
@@ -89,7 +89,7 @@ def _tab(path: str, sketch: SketchSettings) -> str | None:
     return next((os.path.join(path, name) for name in sorted(os.listdir(path)) if is_tab(name, sketch)), None)
 
 
-def _of_sketch(sketch: Sketch, given: str, include_dirs: Sequence[str], defines: Sequence[str]) -> list[Compiled]:
+def _of_sketch(sketch: SketchFiles, given: str, include_dirs: Sequence[str], defines: Sequence[str]) -> list[Compiled]:
     tabs = set(sketch.tabs)
     return [
         Compiled(path, tuple(include_dirs), tuple(defines), path == given, sketch.tabs if path in tabs else ())

@@ -45,7 +45,7 @@ from robosmi.transformations.t2m.c_source.parsing.invocation import (
     standard_headers,
     unsaved,
 )
-from robosmi.transformations.t2m.c_source.parsing.joined_tabs import NOT_JOINED, Joined
+from robosmi.transformations.t2m.c_source.parsing.joined_tabs import NOT_JOINED, JoinedTabs
 from robosmi.transformations.t2m.c_source.parsing.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.parsing.prelude import Prelude
 from robosmi.transformations.t2m.c_source.parsing.source import ReadSource
@@ -117,7 +117,7 @@ def parse(
     include_dirs: Sequence[str],
     defines: Sequence[str],
     before: Sequence[str] = (),
-    joined: Joined = NOT_JOINED,
+    joined: JoinedTabs = NOT_JOINED,
 ) -> Parsed | None:
     """Parse a text, again with declarations of what it does not declare; None if libclang gave up.
 
