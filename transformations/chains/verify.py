@@ -128,6 +128,7 @@ class _Limits(Struct, frozen=True):
     horizon_ms: float | None
 
 
+@read_once()
 def verify(
     output: Path,
     *,
@@ -173,7 +174,6 @@ def verify(
     return done
 
 
-@read_once()
 def _verified(
     output: Path, plan_file: Path, scenarios: Sequence[Path], engine: str | None, seed: int | None, vcd: Path | None,
     limits: _Limits, trusted: bool,
