@@ -88,9 +88,9 @@ def test_foreign_fragments_stay_and_a_hook_resolves_them(folder: Path) -> None:
         asked.append((uri, file.name))
         return next((node for node in roots[0].groups[0].nodes if node.name == uri.partition("?")[0]), None)
 
-    model = Session(resolve=by_name).open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
-    assert (model.Edge.all[0].source.name, rules(model), asked) == ("n1", [], [("n1?type=Node", "ok.xmi")])
-    assert list(model.Node.all[0].out) == model.Edge.all
+    resolved: Any = Session(resolve=by_name).open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
+    assert (resolved.Edge.all[0].source.name, rules(resolved), asked) == ("n1", [], [("n1?type=Node", "ok.xmi")])
+    assert list(resolved.Node.all[0].out) == resolved.Edge.all
 
 
 @pytest.mark.parametrize("uri", ["pathmap://LIB/", "platform:/plugin/org.lib/", "http://example.org/models/"])
