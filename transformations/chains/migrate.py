@@ -47,7 +47,6 @@ from robosmi.transformations.knowledge.adapters.adapter_pins import AdapterPins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
-from robosmi.transformations.m2m.adapters.console_wait import set_console_wait
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
 from robosmi.transformations.m2m.circuits.connector_mapping import rename_clashes
@@ -272,7 +271,10 @@ def models(
     )  # fmt: skip
     plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
     plan.bench = bench
-    set_console_wait(emitted(plan), settings.console_wait_ms)
+    if settings.console_wait_ms is not None:
+        from robosmi.transformations.m2m.adapters.console_wait import set_console_wait  # few projects set it
+
+        set_console_wait(emitted(plan), settings.console_wait_ms)
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": settings.bind, "libraries": settings.libraries}
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))

@@ -14,14 +14,14 @@ _WAIT = re.compile(r"(while \(!Serial && millis\(\) < )\d+(\) \{\})")
 """The statement, with its milliseconds after the start."""
 
 
-def set_console_wait(pieces: Iterable[platform.Adapter], milliseconds: int | None) -> None:
+def set_console_wait(pieces: Iterable[platform.Adapter], milliseconds: int) -> None:
     """Give the statements that wait for a console another time.
 
     Args:
         pieces: of the adapters of a plan.
-        milliseconds: the time; 0 for no wait, None to leave it as it is.
+        milliseconds: the time; 0 for no wait.
     """
-    for piece in pieces if milliseconds is not None else ():
+    for piece in pieces:
         waits = [_WAIT.sub(rf"\g<1>{milliseconds}\2", str(statement)) for statement in piece.setup]
         statements = [statement for statement in waits if milliseconds or not _WAIT.fullmatch(statement)]
         if statements != list(piece.setup):

@@ -16,14 +16,15 @@ def closure(adapters: Iterable[platform.Adapter]) -> list[platform.Adapter]:
     found: dict[platform.Adapter, None] = {}
 
     def add(piece: platform.Adapter, above: tuple[platform.Adapter, ...]) -> None:
-        if piece in found or piece in above:
-            return
+        above = (*above, piece)
         for needed in piece.needs:
-            add(needed, (*above, piece))
+            if needed not in found and needed not in above:
+                add(needed, above)
         found[piece] = None
 
     for adapter in adapters:
-        add(adapter, ())
+        if adapter not in found:
+            add(adapter, ())
     return list(found)
 
 
