@@ -37,6 +37,14 @@ from robosmi.verify.toolchains.tools import Installed, find_installed
 ROOT = Path(__file__).parents[2]
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
 NO_PIN = "255"
+MOTORS = """
+#define NO_PIN 255
+static const struct MotorPins { uint8_t port, enable, first, second, awake; } motor_pins[] = {
+  {12, NO_PIN, 5, 6, NO_PIN},
+  {13, NO_PIN, 9, 10, NO_PIN},
+};
+"""
+"""The table that a program with two channels of motor drivers has before its adapters."""
 NOTHING_TO_DO = {
     "simpletools.h/ee_config",  # the memory is in the microcontroller and has no pins
     "abdrive360.h/drive_suppress_eeprom",  # nothing of the drive is kept in it

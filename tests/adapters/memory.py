@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from robosmi.transformations.knowledge.adapters.adapter_files import MARK
@@ -19,6 +19,7 @@ from robosmi.transformations.knowledge.adapters.adapter_model import adapter_ele
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.m2t.adapters import MOTORS
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from tests.adapters import bench, bench_c, test_files
 
@@ -50,11 +51,12 @@ def symbols(text: str, mcu: str, folder: Path, language: str) -> Iterator[tuple[
 
 
 def measured(
-    pieces: Sequence[AdapterPiece], wanted: Sequence[tuple[str, str]], mcu: str, language: str
+    pieces: Sequence[AdapterPiece], wanted: Sequence[tuple[str, str]], mcu: str, language: str, drawn: Collection[str] = ()
 ) -> Counter[tuple[str, str]]:
-    """Bytes of data memory of each piece that the wanted pieces need."""
-    needed = AdapterPieces(pieces, architecture="avr").needed(wanted, mcu)
+    """Bytes of data memory of each piece that the wanted pieces need, beside these drawn parts: of motors, for two."""
+    needed = AdapterPieces(pieces, architecture="avr", drawn=drawn).needed(wanted, mcu)
     start = bench_c.HEAD if language == "C" else "#include <Arduino.h>\n"
+    start += bench.MOTORS if MOTORS in {piece.name for piece in needed.pieces} else ""
     text = start + _COGS + adapter_text([adapter_element(piece) for piece in needed.pieces], {}, bench.NO_PIN)
     found: Counter[tuple[str, str]] = Counter()
     words = {id(piece): _words(piece) for piece in needed.pieces}
@@ -94,7 +96,7 @@ def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
         if size and not line.startswith(f"{MARK}   "):
             lines.append(f"{MARK}   ram: {size}")
             size = ""
-        if line.startswith((f"{MARK}   members:", f"{MARK}   beside:")):
+        if line.startswith((f"{MARK}   members:", f"{MARK}   beside:", f"{MARK}   drawn:")):
             size, variant = "", True
         if line.startswith(f"{MARK}   ram:") and not variant:
             continue

@@ -20,7 +20,7 @@ from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPi
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
-from tests.adapters.bench import ADAPTERS, NO_PIN, pieces
+from tests.adapters.bench import ADAPTERS, MOTORS, NO_PIN, pieces
 from tests.tools import require_tools
 
 CORE = Path("/usr/share/arduino/hardware/arduino/avr")
@@ -31,6 +31,24 @@ FILES = {str(path.relative_to(ADAPTERS)): read_adapter_file(path) for path in so
 """Adapter file -> its pieces; a file that only says why a header has no adapters has none."""
 KEYS = [(piece.header, piece.name) for piece in pieces() if piece.kind != "helper"]
 DEFINES = ["-DF_CPU=16000000L", "-DARDUINO=10819", "-DARDUINO_ARCH_AVR", "-DUSB_VID=0x2341", "-DUSB_PID=0x8036", "-std=gnu++11"]
+OF_OTHER_CORES = """
+namespace std {
+template <class T> class initializer_list {
+  const T *first;
+  size_t count;
+
+public:
+  const T *begin() const { return first; }
+  const T *end() const { return first + count; }
+};
+}
+void analogReadResolution(int bits);
+FILE *funopen(
+    const void *about, int (*read)(void *, char *, int), int (*write)(void *, const char *, int), long (*seek)(void *, long, int),
+    int (*close)(void *)
+);
+"""
+"""What pieces for all architectures use of other cores and their compilers' library, and the core of AVR lacks."""
 KIND = clang.cindex.CursorKind
 USING = (
     KIND.DECL_REF_EXPR, KIND.OVERLOADED_DECL_REF, KIND.MACRO_INSTANTIATION, KIND.TYPE_REF, KIND.TEMPLATE_REF,
@@ -90,12 +108,21 @@ def test_some_compile_alone(header: str, tmp_path: Path) -> None:
 
 @cache
 def uses(
-    header: str, members: tuple[str, ...] = (), calls: tuple[str, ...] = (), only: str = ""
-) -> dict[tuple[str, str], set[tuple[str, str]]]:
-    """Piece of a header -> the other pieces that it names, according to libclang, in a program with these members and calls."""
+    header: str,
+    members: tuple[str, ...] = (),
+    calls: tuple[str, ...] = (),
+    drawn: tuple[str, ...] = (),
+    only: str = "",
+    architecture: str = "avr",
+) -> tuple[dict[tuple[str, str], set[tuple[str, str]]], dict[tuple[str, str], set[tuple[str, str]]]]:
+    """Piece of a header -> the other pieces that it names, and piece -> those its classes inherit from, according to libclang.
+
+    The program has these members, calls and drawn parts; the pieces are those for an architecture, compiled with the core of AVR.
+    """
     wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header and only in ("", piece.name)]
-    needed = AdapterPieces(pieces(), members, calls, "avr").needed(wanted, "atmega328p").pieces
-    text = f"#include <Arduino.h>\n{adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)}"
+    needed = AdapterPieces(pieces(), members, calls, architecture, drawn).needed(wanted, "atmega328p").pieces
+    before = MOTORS if architecture else OF_OTHER_CORES + MOTORS
+    text = f"#include <Arduino.h>\n{before}{adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)}"
     arguments = ["-target", "avr", "-mmcu=atmega328p", *DEFINES, "-nostdinc", "-isystem/usr/lib/avr/include"]
     arguments += [*folders("atmega328p"), *(f"-isystem{path}" for path in glob.glob("/usr/lib/gcc/avr/*/include"))]
     unit = clang.cindex.Index.create().parse("adapters.cpp", arguments, [("adapters.cpp", text)], options=1)
@@ -124,15 +151,16 @@ def uses(
             yield cursor.referenced
 
     found: dict[tuple[str, str], set[tuple[str, str]]] = {key: set() for _, _, key in places}
+    bases: dict[tuple[str, str], set[tuple[str, str]]] = {key: set() for _, _, key in places}
     for cursor in unit.cursor.walk_preorder():
-        here = piece_at(cursor.location) if cursor.kind in USING else None
+        here = piece_at(cursor.location) if cursor.kind in (*USING, KIND.CXX_BASE_SPECIFIER) else None
         for other in meant(cursor) if here is not None else ():
             if other.kind == KIND.FUNCTION_DECL and other.get_definition() is None:
                 continue  # one of the compiler's own, which "stands" where it is first used
             there = piece_at(other.location)
             if here is not None and there is not None and there != here:
-                found[here].add(there)
-    return found
+                (bases if cursor.kind == KIND.CXX_BASE_SPECIFIER else found)[here].add(there)
+    return found, bases
 
 
 def faults(piece: AdapterPiece) -> list[str]:
@@ -140,10 +168,13 @@ def faults(piece: AdapterPiece) -> list[str]:
     if (piece.mcus and "atmega328p" not in piece.mcus) or (piece.architectures and "avr" not in piece.architectures):
         return []
     alone = piece.name if piece.header == HAL else ""  # pieces of the hardware layer may exclude each other
-    known = AdapterPieces(pieces(), architecture="avr")
+    architecture = "" if alone and not piece.architectures else "avr"  # one for all processors stands on others for all
+    known = AdapterPieces(pieces(), architecture=architecture)
     declared = {key for name in piece.needs if (key := known.key(name, piece.header))}
-    used = uses(piece.header, tuple(piece.members), tuple(piece.beside), alone)[piece.header, piece.name]
-    found = [f"uses {'/'.join(key)}, which it does not declare" for key in sorted(used - declared)]
+    named, bases = uses(piece.header, tuple(piece.members), tuple(piece.beside), tuple(piece.drawn), alone, architecture)
+    used = named[piece.header, piece.name]
+    inherited = {base for key in used & declared for base in bases[key]}  # not every variant of a class may have them
+    found = [f"uses {'/'.join(key)}, which it does not declare" for key in sorted(used - declared - inherited)]
     found += [f"declares {'/'.join(key)}, which it does not use" for key in sorted(declared - used)]
     declared_names = [
         *(port.constant for port in piece.ports),

@@ -180,7 +180,7 @@ def test_a_scale_for_voltages_is_measured_and_kept() -> None:  # daCalibrate.c, 
         uses,
     ).trace
     assert duty(trace, "P26", 499) == pytest.approx(3.3 / 3.4 / 3.3, abs=0.004)
-    assert len([event for event in trace.device_events if event.what == "written"]) == 16
+    assert len(trace.stored) == 16
 
 
 def test_two_channels_have_mean_voltages() -> None:  # dac2ch.c

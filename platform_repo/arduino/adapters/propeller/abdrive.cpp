@@ -106,7 +106,7 @@ inline int16_t drive_us(const Wheel &wheel, uint8_t side, bool) {  // the pulse 
 
 //# helper drive_us
 //#   drawn: motor-driver encoder
-//#   needs: wheels drive_encoders servo.h/servo_us hal/Uninterrupted
+//#   needs: wheels drive_encoders servo.h/servo_us hal/PinInput
 //#   fidelity: closed loop: the motor is driven faster by 5 ticks/s for each encoder tick that its wheel is behind, and slower for each
 //#   fidelity: that it is ahead, by 64 ticks/s at most; 128 ticks/s are taken as full power, or as a table in robosmi.toml, [servos], says
 //#   ram: 12
@@ -127,7 +127,7 @@ inline int16_t drive_us(const Wheel &wheel, uint8_t side, bool anew) {  // the p
 }
 
 //# helper drive_frame
-//#   needs: wheels drive_top drive_us servo.h/servo_slot
+//#   needs: wheels drive_top drive_us servo.h/servo_slot servo.h/ServoSlot
 //#   ram: 3
 static void (*drive_goto_frame)(Wheel &wheel);
 static volatile uint8_t drive_frames;
@@ -172,7 +172,7 @@ inline void drive_wait_rest() {
 }
 
 //# helper drive_start
-//#   needs: drive_frame drive_pins wheels servo.h/servo_slot servo.h/frames servo.h/servo_us hal/Io
+//#   needs: drive_frame drive_pins wheels servo.h/servo_slot servo.h/ServoSlot servo.h/frames servo.h/servo_us hal/Io
 //#   ram: 1
 static bool drive_on;
 

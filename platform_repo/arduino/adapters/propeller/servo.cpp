@@ -89,7 +89,7 @@ inline void do_each_frame(void (*job)()) {
 //#   drawn: motor-driver
 //#   needs: background hal/Uninterrupted hal/periods simpletools.h/TimedInput
 //#   fidelity: frame jobs every 20 ms, up to 1 ms late; no timer is taken for them, so that motors have PWM on all its pins
-//#   ram: 9
+//#   ram: 18
 static void (*frame_jobs[3])();
 static uint8_t frames_owed;  // that have waited
 
@@ -129,10 +129,12 @@ inline void do_each_frame(void (*job)()) {
 }
 
 //# helper motors
+//#   drawn: motor-driver
 //#   needs: hal/Io
 //#   fidelity: a motor's share of full power is that of 200 us which a servo's pulse is longer than 1,500 us, backwards for a shorter
 //#   fidelity: one; at a stand, and without pulses, all inputs are low and the motor coasts
 //#   limit: motors turn as fast as their supply and load let them: a servo's 128 ticks/s are full power; measure a table for robosmi.toml, [servos]
+//#   ram: 10
 struct Motor {
   const MotorPins *pins;
   int16_t share;  // in 1/255 of full power, backwards if negative
@@ -204,7 +206,7 @@ static ServoSlot servo_slots[servo_places];
 //#   drawn: motor-driver
 //#   needs: motors
 //#   fidelity: as many motors as the drivers have channels wired to the board; nothing happens at other pins
-//#   ram: 36
+//#   ram: 28
 struct ServoSlot {
   uint8_t pin;
   bool used, own;              // own: of a drive, which servo_stop and the like leave alone
@@ -227,7 +229,7 @@ static ServoSlot servo_slots[sizeof motor_pins / sizeof *motor_pins];
 //#   needs: hal/Io hal/ServoPin motors
 //#   fidelity: servos as without motors, but their ramps move up to 1 ms beside their pulses
 //#   limit avr: no PWM for motors on pins 9 and 10 of an Uno while a servo gets pulses
-//#   ram: 202
+//#   ram: 192
 struct ServoSlot : ServoPin {
   bool used, own;              // own: of a drive, which servo_stop and the like leave alone
   int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
@@ -296,7 +298,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //# adapter servo_set
 //#   for: int servo_set(int pin, int time)
 //#   kind: oneToMany
-//#   needs: servo_slot hal/Io hal/Uninterrupted
+//#   needs: servo_slot ServoSlot hal/Io hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 //#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
@@ -305,7 +307,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   limit rp2040: widths from 200 to 2,900 us
 //#   range avr: time 40..2900 or 0: the pulse is made 40 or 2,900 us long
 //#   range rp2040: time 200..2900 or 0: the pulse is made 200 or 2,900 us long
-//#   stack: 36 18
+//#   stack: 36 20
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_set(int32_t pin, int32_t time) {
   if (!Io(pin).wired()) return 0;
@@ -341,7 +343,7 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
 //#   fidelity: 500 us and one more for each tenth of a degree, as there
 //#   range avr: degreeTenths -460..2400 or -500: the pulse is made 40 or 2,900 us long
 //#   range rp2040: degreeTenths -300..2400 or -500: the pulse is made 200 or 2,900 us long
-//#   stack: 36 18
+//#   stack: 36 20
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
   return servo_set(pin, degreeTenths + 500);
@@ -355,7 +357,7 @@ inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
 //#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
 //#   range avr: speed -1460..1400 or -1500: the pulse is made 40 or 2,900 us long
 //#   range rp2040: speed -1300..1400 or -1500: the pulse is made 200 or 2,900 us long
-//#   stack: 36 18
+//#   stack: 36 20
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_speed(int32_t pin, int32_t speed) {
   int32_t us = speed + 1500;
@@ -365,7 +367,7 @@ inline int32_t servo_speed(int32_t pin, int32_t speed) {
 //# adapter servo_get
 //#   for: int servo_get(int pin)
 //#   kind: oneToOne
-//#   needs: servo_slot hal/Uninterrupted
+//#   needs: servo_slot ServoSlot hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: the width last sent in microseconds, on the way of a ramp too; -4 for a pin without a servo
 //#   stack: 4 0
@@ -380,11 +382,11 @@ inline int32_t servo_get(int32_t pin) {
 //# adapter servo_setramp
 //#   for: int servo_setramp(int pin, int stepSize)
 //#   kind: semantic
-//#   needs: servo_slot frames
+//#   needs: servo_slot ServoSlot frames
 //#   pin: pin digital out servo
 //#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
 //#   stack: 2 0
-//#   interrupt: TIMER0_COMPA_vect 25 25
+//#   interrupt: TIMER0_COMPA_vect 46 46
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void servo_ramps() {

@@ -245,7 +245,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
 }
 
 //# helper servo360_run
-//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/servo_slot servo.h/frames servo.h/servo_us
+//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/servo_slot servo.h/ServoSlot servo.h/frames servo.h/servo_us
 //#   ram: 1
 inline void servo360_frame() {
   bool alive[4];
@@ -293,7 +293,7 @@ inline int8_t servo360_place(int32_t pin) {
 //# adapter servo360_connect
 //#   for: int servo360_connect(int pinControl, int pinFeedback)
 //#   kind: semantic
-//#   needs: servo.h/servo_slot hal/Uninterrupted Servo360 feedback360_edge servo360_run hal/watch_pin hal/Io simpletools.h/pulse_in servo.h/servo_us
+//#   needs: servo.h/servo_slot servo.h/ServoSlot hal/Uninterrupted Servo360 feedback360_edge servo360_run hal/watch_pin hal/Io simpletools.h/pulse_in servo.h/servo_us
 //#   role: servo
 //#   pin: pinControl digital out servo
 //#   pin: pinFeedback digital in encoder

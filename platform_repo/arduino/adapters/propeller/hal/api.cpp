@@ -129,7 +129,7 @@ inline bool leaves(const Io &io, bool high, uint32_t begun, uint32_t limit, uint
 // ---------------------------------------------------------------- pin watch
 
 //# helper PinWatch
-//#   needs: Io Uninterrupted
+//#   needs: Uninterrupted
 struct PinWatch {
   uint8_t pin, level;
   void (*changed)(PinWatch &watch);
@@ -162,7 +162,7 @@ inline void end_watch(PinWatch &watch) {
 }
 
 //# helper watch_pin
-//#   needs: PinWatch Io Uninterrupted
+//#   needs: Io PinWatch Uninterrupted
 //#   limit: the level is read by digitalRead() in the interrupt: a pulse shorter than some microseconds may be missed
 inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
   if (!Io::exists(pin) || (int)digitalPinToInterrupt(pin) < 0) return false;
@@ -351,7 +351,7 @@ inline void begin_tone(const Io &io, uint16_t frequency) { tone(io.pin, frequenc
 inline void end_tone(const Io &io) { noTone(io.pin); }
 
 //# helper slow_wave
-//#   needs: Io jobs is_over Uninterrupted
+//#   needs: Io jobs is_over
 static const Io *slow_wave_pin = 0;  // 0: there is none
 static uint32_t slow_wave_half, slow_wave_since;
 
