@@ -247,7 +247,8 @@ def test_analyse_and_hardware_are_chains_too() -> None:
     assert told.steps == ["read the drawing", "check the circuit", "put the result together"]
     told.steps.clear()
     analyse([FOLLOWER / "line_follower.c"], source_platform="propeller", progress=told)
-    assert told.steps == ["look up the source platform", "read the program", "analyse the program"]
+    steps = ["look up the source platform", "look up the source board", "read the program", "analyse the program"]
+    assert told.steps == steps
     unchecked = hardware_chain()
     unchecked.replace("check the circuit", _nothing)
     assert {f.rule for f in hardware(FOLLOWER / "line_following_robot.fzz", chain=unchecked).findings} == set()

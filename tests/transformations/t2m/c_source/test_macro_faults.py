@@ -28,9 +28,9 @@ def test_a_semicolon_that_ends_a_statement_is_none(path: Path) -> None:
 
 
 def test_interrupt_handlers_are_functions() -> None:
-    done = run("analyse", CASES / "handlers.ino", "--json")
+    done = run("analyse", CASES / "handlers" / "handlers.ino", "--json")
     assert done.code == 0
     assert not {"RS101", "RS102"} & done.rules()
-    (unit,) = load_code(CASES / "handlers.ino").units
+    (unit,) = load_code(CASES / "handlers" / "handlers.ino").units
     found = {function.name for function in all_of_kind(unit, ccode.Function) if function.definition}
     assert found == {"TIMER2_OVF_vect", "PCINT0_vect", "INT0_vect", "WDT_vect", "ADC_vect", "setup", "loop"}
