@@ -247,9 +247,7 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
 @cache
 def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
     table = DataTable(Path(path), read_toml(path))
-    either, boards, drawn, servos = (
-        table.table(key, needed=False) for key in ("either", "boards", "drawn", "positional_servos")
-    )
+    either, boards, drawn, servos = (table.table(key, needed=False) for key in ("either", "boards", "drawn", "positional_servos"))
     symbols, lists = drawn.table("symbols", needed=False), table.table("names", needed=False)
     return PartNames(
         {key: frozenset(lists.texts(key, ())) for key in _LISTS},

@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from robosmi import resources
 from robosmi.base.data_tables import DataTable
-from robosmi.metamodels import hardware, migration
+from robosmi.metamodels import migration
 from robosmi.project import read_data
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
