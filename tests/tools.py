@@ -30,6 +30,9 @@ KNOWN_PLACES = {
 }
 """Things that are no programs: name -> a file that exists if it is installed (by Debian, or by `.ci/npm-packages`)."""
 
+NO_CORE = {"esp32", "esp32c3", "nano33ble", "nucleo-f401re", "teensy40", "uno-r4-minima", "zero"}
+"""Boards that need a core which RoboSMi has no stand-in for."""
+
 
 def require_tools(*names: str) -> None:
     """Skip the running test unless all these programs are installed; with CI=true fail instead.

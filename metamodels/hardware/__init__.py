@@ -183,6 +183,8 @@ class Component(Element, metaclass=MetaEClass):
     """True if it connects only the connectors of its buses, as a breadboard or a header does."""
     eitherSide: bool = EAttribute(eType=EBoolean)
     """True for a chip that is an input or an output depending on its wiring, such as an amplifier."""
+    positional: bool = EAttribute(eType=EBoolean)
+    """True for a servo that turns to an angle and cannot turn on, by the names of its model."""
 
     if TYPE_CHECKING:
 
@@ -206,6 +208,7 @@ class Component(Element, metaclass=MetaEClass):
             device: DeviceFacts | None = None,
             joinsByBusOnly: bool | None = None,
             eitherSide: bool | None = None,
+            positional: bool | None = None,
         ) -> None: ...
 
 

@@ -18,14 +18,12 @@ from robosmi.plugins import registry
 from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.knowledge.platforms.target_platform import LANGUAGES, target_facts, target_names
 from tests.running import tree
-from tests.tools import require_tools
+from tests.tools import NO_CORE, require_tools
 
 PROGRAM = Path(__file__).parent / "program"
 TARGETS = target_names()
 LABELS = {"pico": "GP", "picow": "GP", "esp32": "IO", "esp32c3": "IO"}
 """What boards call their pins, if not D0, D1 ..."""
-NO_CORE = {"esp32", "esp32c3", "nano33ble", "nucleo-f401re", "teensy40", "uno-r4-minima", "zero"}
-"""Targets that need a core which RoboSMi has no stand-in for."""
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,6 @@ from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.finding_locations import drawing, fault, worst_first
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
-from robosmi.transformations.queries.circuits.component_kinds import is_positional
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of, pin_of
@@ -267,7 +266,7 @@ def TurnsOnAsAWheel(b: migration.PortBinding) -> bool | Fail:
     component = connection.component
     assert component is not None
     wheel = "it is a wheel of the drive" if b.conventionalPort is not None else _speed_function(plan, b)
-    if not wheel or not is_positional(component):
+    if not wheel or not component.positional:
         return True
     label = connection.pin.label if connection.pin is not None else ""
     what = f"'{who(component)}' ({label}) turns to an angle and cannot turn on"

@@ -381,6 +381,17 @@ def _literal(pin: platform.Pin, rules: list[DataTable]) -> str:
     return str(pin.label)
 
 
+def written_by_label(pin: platform.Pin, platform_name: str, project: Path | None = None) -> str:
+    """How a program of a platform writes a pin of which a board's file says nothing.
+
+    Args:
+        pin: the pin.
+        platform_name: the platform's folder in the repository.
+        project: the project folder; the current folder if None.
+    """
+    return _literal(pin, _literal_rules(platform_name, project))
+
+
 def _numbered(pin: platform.Pin, rules: list[DataTable], numbers: Mapping[str, int]) -> str:
     """How a program writes a pin; the core's number of the pin goes before a number that a rule makes of its label."""
     literal = _literal(pin, rules)

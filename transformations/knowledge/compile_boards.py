@@ -10,7 +10,7 @@ are instantiated for the pins of a board.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -25,6 +25,7 @@ from robosmi.transformations.knowledge.board_models import (
     mapping_file,
     table_of,
     variant_folder,
+    written_by_label,
 )
 from robosmi.verify.toolchains.boards import Board, BootLoader, Claim
 
@@ -103,18 +104,28 @@ def board_claims(
     if path is None or "board_check" not in table_of(path).values or not mapping.variant:
         return tuple
     file = board_file(str(board.name), project)
-    return partial(_claims, table_of(path), mapping, file, mapping_file(platform_name, str(board.name), project))
+    names = mapping_file(platform_name, str(board.name), project)
+    by_label = {str(pin.label): written_by_label(pin, platform_name, project) for pin in board.pins}
+    return partial(_claims, table_of(path), mapping, file, names, by_label)
 
 
-def _claims(toolchain: DataTable, mapping: platform.BoardMapping, pins: Path | None, names: Path | None) -> tuple[Claim, ...]:
-    """The claims of a board, from its file with the pins and its file with the names that the platform gives them."""
+def _claims(
+    toolchain: DataTable, mapping: platform.BoardMapping, pins: Path | None, names: Path | None, by_label: Mapping[str, str]
+) -> tuple[Claim, ...]:
+    """The claims of a board, from its file with the pins and its file with the names that the platform gives them.
+
+    A number in the file is what programs write, so it is compared with what they would write without it.
+    """
     entries = toolchain.table("board_check").tables("claims")
-    numbers = table_of(names).table("numbers", needed=False).values if names is not None else {}
+    table = table_of(names) if names is not None else None
+    numbers = table.table("numbers", needed=False).values if table is not None else {}
+    core_names = {**by_label, **(table.texts_by_name("literals") if table is not None else {})}
     found = []
     for name in mapping.pinNames:
         if (pin := name.pin) is None:
             continue
-        facts = _facts(name, pin) | {"number": str(numbers.get(str(pin.label), ""))}
+        label = str(pin.label)
+        facts = _facts(name, pin) | {"number": str(numbers.get(label, "")), "name": core_names[label]}
         is_led = mapping.board is not None and pin.label == mapping.board.led
         abilities = {*pin.abilities, "any", *(["led"] if is_led else [])}
         for entry in entries:

@@ -41,6 +41,7 @@ def describe(circuit: hardware.Circuit, project: Path | None = None) -> None:
             component.device = _element(facts)
         component.joinsByBusOnly = conducts_by_bus_only(component.family, known, component.partTitle)
         component.eitherSide = _is_either_side(component, known)
+        component.positional = _is_positional(component, known)
         for connector in component.connectors:
             if connector.name not in said:
                 said[connector.name] = data.meanings(connector.name)
@@ -104,6 +105,11 @@ def _is_described(component: hardware.Component) -> bool:
 
 def _is_either_side(component: hardware.Component, known: PartNames) -> bool:
     return bool(component.driver) and f"{component.family} / {component.partTitle}" in known.either
+
+
+def _is_positional(component: hardware.Component, known: PartNames) -> bool:
+    called = f"{component.title} / {component.partTitle} / {component.family}"
+    return called in known.positional and called not in known.not_positional
 
 
 def _element(facts: DeviceFacts) -> hardware.DeviceFacts:

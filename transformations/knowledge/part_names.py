@@ -102,6 +102,8 @@ class PartNames(Struct, frozen=True):
     not_read_on_analog: Phrases
     numbered_labels: Phrases
     not_numbered_labels: Phrases
+    positional: Phrases
+    not_positional: Phrases
     device_properties: frozenset[str] = frozenset()
     number_properties: frozenset[str] = frozenset()
     transistors: tuple[str, ...] = ()
@@ -245,7 +247,7 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
 @cache
 def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
     table = DataTable(Path(path), read_toml(path))
-    either, boards, drawn = (table.table(key, needed=False) for key in ("either", "boards", "drawn"))
+    either, boards, drawn, servos = (table.table(key, needed=False) for key in ("either", "boards", "drawn", "positional_servos"))
     symbols, lists = drawn.table("symbols", needed=False), table.table("names", needed=False)
     return PartNames(
         {key: frozenset(lists.texts(key, ())) for key in _LISTS},
@@ -255,6 +257,8 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         not_read_on_analog=_phrases(either.texts("not_read_on_analog", ())),
         numbered_labels=_phrases(boards.texts("arduino_labels", ())),
         not_numbered_labels=_phrases(boards.texts("not_arduino_labels", ())),
+        positional=_phrases(servos.texts("words", ())),
+        not_positional=_phrases(servos.texts("not", ())),
         device_properties=frozenset(drawn.texts("device", ())),
         number_properties=frozenset(drawn.texts("number", ())),
         transistors=drawn.texts("transistors", ()),

@@ -31,8 +31,20 @@ def test_a_target_platform_has_its_boards() -> None:
     boards = {board.name for board in model["Board"].all_of_type}
     assert boards == {path.stem for path in (REPOSITORY / "arduino" / "boards").glob("*.toml")}
     assert {mapping.board.name for mapping in model["BoardMapping"].all_of_type} == boards
+    assert model["Microcontroller"].all_of_type
     assert "platform" in drivers()
     assert not [name for name in drivers() if "/" in name]
+
+
+def test_a_platform_that_is_both_is_one_with_all_that_both_declare() -> None:
+    model = open_model(REPOSITORY / "arduino", "platform")
+    (both,) = model["Platform"].all_of_type
+    data = json.loads((REPOSITORY / "arduino" / "api.json").read_text(encoding="utf-8"))["headers"]
+    declared = {header.name: {function.name for function in header.functions} for header in both.headers}
+    for name, content in data.items():  # a constructor and a conversion have no type of a result, and so no signature
+        assert {f for f, (result, _) in content.get("functions", {}).items() if result} <= declared[name], name
+    assert both.widths
+    assert both.boardMappings
 
 
 def test_a_query_asks_a_platform() -> None:

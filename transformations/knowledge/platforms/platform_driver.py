@@ -38,10 +38,11 @@ def open_platform(path: Path, name: str | None = None) -> EmfModel:
     if not (folder / SETTINGS).is_file():
         raise SourceError(f"it has no {SETTINGS}", location=Location(str(path)), fix="give the folder of a platform")
     repository = platform.PlatformRepository()
-    if (folder / API).is_file():
-        repository.platforms.append(_source(folder))
+    source = _source(folder) if (folder / API).is_file() else None
+    if source is None or mapped_boards(folder.name):
+        _add_target(folder, repository, source)
     else:
-        _add_target(folder, repository)
+        repository.platforms.append(source)
     return EmfModel(repository, name=name or folder.name)
 
 
@@ -51,7 +52,8 @@ def _source(folder: Path) -> platform.Platform:
     return platform_part(ApiIndex(facts), facts.entries, headers, units=[headers])
 
 
-def _add_target(folder: Path, repository: platform.PlatformRepository) -> None:
+def _add_target(folder: Path, repository: platform.PlatformRepository, source: platform.Platform | None) -> None:
+    """Add the platform that programs are moved to, with its boards; of one that they are moved from, too, what it declares."""
     first = Path(os.path.realpath(resources.find(KIND, f"{folder.name}/{SETTINGS}"))).parent
     if first != folder:
         raise SourceError(
@@ -59,6 +61,9 @@ def _add_target(folder: Path, repository: platform.PlatformRepository) -> None:
             fix="add its parent folder to ROBOSMI_PATH",
         )  # fmt: skip
     made = target_platform(folder.name)
+    if source is not None:
+        made.headers.extend([*source.headers])
+        made.attributeMacros, made.portCount = [*source.attributeMacros], source.portCount
     repository.platforms.append(made)
     chips: dict[str, platform.Microcontroller] = {}
     for short in mapped_boards(folder.name):

@@ -16,9 +16,8 @@ from msgspec import Struct
 
 from robosmi import resources
 from robosmi.base.data_tables import DataTable
-from robosmi.metamodels import hardware, migration
+from robosmi.metamodels import migration
 from robosmi.project import read_data
-from robosmi.transformations.knowledge.part_names import Phrases
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _LOOKALIKE = frozenset(["LATIN", "CYRILLIC", "GREEK", "ARMENIAN", "CHEROKEE", "FULLWIDTH", "MATHEMATICAL"])
@@ -43,8 +42,6 @@ class PortWords(Struct, frozen=True):
         vocabulary: the words of more than two letters, which others may be put together of.
         kinds: purpose of a connector -> the kind that a component is of, too, at such a connector.
         negations: words by which a title says what a component is not.
-        positional: names of servos that turn to an angle.
-        continuous: names of those that turn on nevertheless.
     """
 
     roles: dict[str, frozenset[str]]
@@ -53,8 +50,6 @@ class PortWords(Struct, frozen=True):
     vocabulary: frozenset[str]
     kinds: dict[str, str]
     negations: frozenset[str]
-    positional: Phrases
-    continuous: Phrases
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
@@ -132,13 +127,6 @@ def misleading_title(connection: migration.Connection) -> str:
     return f"its title says what it is not ('{min(negated)}')" if negated else ""
 
 
-def is_positional(component: hardware.Component) -> bool:
-    """Whether a component is a servo that turns to an angle and cannot turn on, by the names of its model."""
-    names = f"{component.title} / {component.partTitle} / {component.family}"
-    known = known_roles()
-    return names in known.positional and names not in known.continuous
-
-
 def known_roles() -> PortWords:
     """The words of kinds, sides and connectors."""
     path = resources.find("platform_repo", "parts/port_roles.toml")
@@ -154,10 +142,7 @@ def _known_roles(path: Path, _: int) -> PortWords:
     words = {"pin", "port", "sensor"}.union(*roles.values(), *apart)
     entries = {purpose: purposes.table(purpose) for purpose in purposes.values}
     connectors = {purpose: (frozenset(entry.texts("words")), entry.text("board")) for purpose, entry in entries.items()}
-    servos = data.table("positional_servos")
-    positional, continuous = (Phrases((word, 0) for word in servos.texts(key)) for key in ("words", "not"))
     kinds = {purpose: entry.text("kind") for purpose, entry in entries.items() if "kind" in entry.values}
     return PortWords(
         roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds, frozenset(data.texts("negations")),
-        positional, continuous,
     )  # fmt: skip
