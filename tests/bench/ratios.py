@@ -8,7 +8,8 @@ calls more functions, and a cold command costs more if it loads more modules.
 The bounds of ratios are a fifth above what this head needs, those of counts a twentieth. On 21 November 2026 (37e65686), when a
 warm `migrate()` took less than 60 ms, it called 91,000 functions and took 1.7 times the reference; features that came since
 call the others. A loop over a feature's values goes over a snapshot since 27 November 2026, which is a call for each loop: 9,000.
-That day this head needed 4.0, 4.3 and 5.3 times where the one before needed 3.6, 4.1 and 5.5, on a machine that varied by a fifth.
+That day this head needed 4.0, 4.3 and 5.3 times where the one before needed 3.6, 4.1 and 5.5, on a machine that varied by
+a fifth.
 """
 
 from __future__ import annotations
