@@ -20,9 +20,8 @@ from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError
-from robosmi.files.files import write_atomic
+from robosmi.files.files import free_name, write_atomic
 from robosmi.generate import Gen
-from robosmi.generate.output_paths import free_name
 from robosmi.model import save_model
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
@@ -171,7 +170,8 @@ def _store(model: Model, doing: StepContext) -> list[Finding]:
         doing.rewritten.append(f"'{name}'")
         return []
     backup = free_name(path.parent, f"{path.name}.orig")
-    write_atomic(path.parent / backup, old)
+    if not isinstance(technology(model), EmfModel):  # which puts the old file there by itself
+        write_atomic(path.parent / backup, old)
     model.save()
     doing.rewritten.append(f"'{name}' (the old content is in '{backup}')")
     place = Location(str(path), lost[0])

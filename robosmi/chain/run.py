@@ -282,7 +282,7 @@ class ChainRun:
             name = relative(path, self.folder)
             if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
                 if self.force:
-                    from robosmi.generate.output_paths import free_name
+                    from robosmi.files.files import free_name
 
                     kept = free_name(self.folder, f"{name}.orig")
                     if not self.dry_run:

@@ -46,6 +46,20 @@ def read_input(path: Path, what: str, kind: inputs.Kind) -> bytes:
         ) from None  # fmt: skip
 
 
+def free_name(folder: Path, name: str) -> str:
+    """A name that no file of the folder has: the given one, or with a number behind it.
+
+    Args:
+        folder: the folder.
+        name: relative to it.
+    """
+    number, found = 1, name
+    while os.path.lexists(folder / found):
+        number += 1
+        found = f"{name}.{number}"
+    return found
+
+
 def write_atomic(path: Path, data: bytes) -> None:
     """Write a file by way of a temporary one beside it; the old content stays until the new one is complete.
 

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
-from robosmi.files.files import digest
+from robosmi.files.files import digest, free_name
 from robosmi.generate.merge_edits import merge_edits
-from robosmi.generate.output_paths import Places, before_conflicts, free_name
+from robosmi.generate.output_paths import Places, before_conflicts
 from robosmi.generate.record import Record, lost_record, restored_copy
 from robosmi.generate.regions import styles_in
 from robosmi.generate.text_form import FileText, read, same_text

@@ -143,17 +143,3 @@ def before_conflicts(folder: Path, name: str) -> list[str]:
         number += 1
         path = folder / f"{name}.orig.{number}"
     return found
-
-
-def free_name(folder: Path, name: str) -> str:
-    """A name that no file of the folder has: the given one, or with a number behind it.
-
-    Args:
-        folder: the folder.
-        name: relative to it.
-    """
-    number, found = 1, name
-    while os.path.lexists(folder / found):
-        number += 1
-        found = f"{name}.{number}"
-    return found

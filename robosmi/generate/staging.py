@@ -16,12 +16,13 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import commit
+from robosmi.files.files import free_name
 from robosmi.files.recovery import look_only
 from robosmi.files.run_lock import is_noted, note
 from robosmi.generate.manifest import hidden, retained_file
 from robosmi.generate.merge_edits import merge_edits
 from robosmi.generate.output import Text, text_of
-from robosmi.generate.output_paths import Places, before_conflicts, free_name
+from robosmi.generate.output_paths import Places, before_conflicts
 from robosmi.generate.record import Record, lost_record, restored_copy
 from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write

@@ -226,6 +226,43 @@ def test_a_run_performs_fixes_and_stores_the_models_that_they_change(site: Path)
     assert tree(site) == before
 
 
+RULES = """
+from robosmi.validate import EVL, Fail, Fix
+
+def rules(v, m):
+    @v.context("EClass").constraint
+    def HasADescription(c):
+        return c.name != "Plain" or Fail("plain", Fix("rename it", lambda c: setattr(c, "name", "Renamed")))
+"""
+COMMENTED = """<?xml version="1.0" encoding="UTF-8"?>
+<!-- by hand -->
+<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+    xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="p" nsURI="http://nowhere/p" nsPrefix="p">
+  <eClassifiers xsi:type="ecore:EClass" name="Plain"/>
+</ecore:EPackage>
+"""
+RENAMING = """
+[[step]]
+load = "m"
+file = "p.ecore"
+
+[[step]]
+validate = "rules.py:rules"
+models = "m"
+"""
+
+
+def test_the_old_file_of_a_model_that_loses_comments_is_kept_once(tmp_path: Path) -> None:
+    for name, text in (("rules.py", RULES), ("p.ecore", COMMENTED), ("chain.toml", RENAMING)):
+        (tmp_path / name).write_text(text)
+    result = read_chain(tmp_path / "chain.toml").run(fix="first")
+    assert [f.rule for f in result.findings] == ["RS524"]
+    assert "p.ecore.orig" in result.findings[0].message
+    assert (tmp_path / "p.ecore.orig").read_text() == COMMENTED
+    assert 'name="Renamed"' in (tmp_path / "p.ecore").read_text()
+    assert [path.name for path in tmp_path.glob("*.orig*")] == ["p.ecore.orig"]
+
+
 def test_a_model_that_a_fix_changes_keeps_its_comments(site: Path) -> None:
     _without_author(site)
     text = (site / "library.xmi").read_text()

@@ -16,8 +16,8 @@ from robosmi import inputs
 from robosmi.base.data_text import Json, as_texts
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, SourceError, UsageError, did_you_mean
-from robosmi.files.files import write_atomic
-from robosmi.generate.output_paths import Places, free_name
+from robosmi.files.files import free_name, write_atomic
+from robosmi.generate.output_paths import Places
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, platform
 from robosmi.project import FILE_NAME, default_text, load_project

@@ -18,9 +18,9 @@ from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
-from robosmi.transformations.queries.plans.motors import SERVO, channel_of, pin_of
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
-from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
+from robosmi.transformations.queries.plans.port_pins import bound_pin, of_own_serial_port
 from robosmi.validate import EVL, Fail
 
 together = EVL()
@@ -167,7 +167,7 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
 )
 def DriverTurnsAMotor(b: migration.PortBinding) -> bool | Fail:
     """A servo's port on a motor driver has a complete channel of its own, and functions that an adapter drives a motor for."""
-    plan, pin = of_plan(b), pin_of(b)
+    plan, pin = of_plan(b), bound_pin(b)
     assert plan is not None
     parts = [c.component for c in plan.connections if c.component is not None and c.pin is not None and c.pin is pin]
     driver = next((part for part in parts if wired(plan).facts(part).kind == MOTOR_DRIVER), None)
@@ -287,11 +287,11 @@ def _speed_function(plan: migration.MigrationPlan, b: migration.PortBinding) -> 
     id="RS272",
     location=place,
     advice="add a level shifter or a voltage divider between them",
-    guard=lambda b: b.signal is not migration.Signal.read and pin_of(b) is not None,
+    guard=lambda b: b.signal is not migration.Signal.read and bound_pin(b) is not None,
 )
 def HostBearsTheLevels(b: migration.PortBinding) -> bool | Fail:
     """The program does not drive a pin that is wired directly to another computer or board whose pins bear a lower voltage."""
-    plan, pin = of_plan(b), pin_of(b)
+    plan, pin = of_plan(b), bound_pin(b)
     assert plan is not None
     assert pin is not None
     w, board = wired(plan), plan.boardComponent

@@ -10,8 +10,9 @@ from robosmi.errors import ModelError
 from robosmi.metamodels import migration
 from robosmi.model import EmfModel
 from robosmi.query import root_of
-from robosmi.transformations.constraints.plan_ports import bound_pin, named, plan_of
+from robosmi.transformations.constraints.plan_ports import named, plan_of
 from robosmi.transformations.queries.plans.binding_edits import only_the_choice_was_edited, referred
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.text_changes import all_changes
 from robosmi.validate import EVL, Fail
 

@@ -19,6 +19,7 @@ from robosmi.transformations.queries.circuits.component_kinds import kinds_of
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.validate import EVL, Fail
@@ -57,11 +58,6 @@ def plan_of(decision: Element) -> migration.MigrationPlan:
     found = root_of(decision)
     assert isinstance(found, migration.MigrationPlan)
     return found
-
-
-def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
-    """The pin of a binding, set directly or through its connection; None if it has none."""
-    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
 
 
 def _before(binding: migration.PortBinding) -> Iterator[migration.PortBinding]:

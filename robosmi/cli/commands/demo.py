@@ -16,6 +16,7 @@ from robosmi.cli.common import output_folder
 from robosmi.cli.progress import progress
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.files.files import write_atomic
 from robosmi.plugins import content
 from robosmi.project import project_of
 from robosmi.quoting import terminal
@@ -79,7 +80,7 @@ def _copied(example: Path, folder: Path) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
         for path in sorted(each for each in example.iterdir() if each.suffix in (".c", ".fzz", ".toml")):
             if not (folder / path.name).exists():
-                (folder / path.name).write_bytes(inputs.read_bytes(path, inputs.DRAWING))
+                write_atomic(folder / path.name, inputs.read_bytes(path, inputs.DRAWING))
     except OSError as error:
         raise SourceError(
             f"the example cannot be copied: {error.strerror}", location=Location(str(folder)), fix="give another folder: -o DIR"

@@ -16,7 +16,7 @@ from urllib.parse import unquote
 
 from robosmi import inputs
 from robosmi.errors import ModelError
-from robosmi.files.files import write_atomic
+from robosmi.files.files import free_name, write_atomic
 from robosmi.model.ecore.metamodels import Metamodels, built_in
 from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
@@ -117,9 +117,7 @@ def back_up_comments(target: Path, text: bytes) -> Path | None:
     """
     if not target.is_file() or not comments_lost(old := inputs.read_bytes(target, inputs.MODEL), text):
         return None
-    number = 0
-    while (copy := target.with_name(f"{target.name}.orig{number or ''}")).exists():
-        number += 1
+    copy = target.with_name(free_name(target.parent, f"{target.name}.orig"))
     write_atomic(copy, old)
     return copy
 

@@ -16,8 +16,9 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
 from robosmi.files.commit import update
 from robosmi.files.external_files import ExternalFiles
+from robosmi.files.files import free_name
 from robosmi.generate.manifest import NAME as MANIFEST, Guarded, Manifest, hidden, reformed_file, retained_file
-from robosmi.generate.output_paths import Places, free_name
+from robosmi.generate.output_paths import Places
 from robosmi.generate.undo import save_previous
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.stages.completion import Completed

@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robosmi.metamodels import migration, platform
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 
 SERVO = "servo"
 """The kind of component that a port of a servo expects, as the repository's data call it."""
-
-
-def pin_of(binding: migration.PortBinding) -> platform.Pin | None:
-    """The pin that a port is bound to; None if it has none."""
-    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
 
 
 def inputs_of(channel: migration.MotorChannel) -> list[platform.Pin]:
@@ -22,7 +18,7 @@ def inputs_of(channel: migration.MotorChannel) -> list[platform.Pin]:
 
 def channel_of(binding: migration.PortBinding, channels: Iterable[migration.MotorChannel]) -> migration.MotorChannel | None:
     """The channel that serves a port: the one with the port's pin at an input; None if there is none."""
-    pin = pin_of(binding)
+    pin = bound_pin(binding)
     return next((channel for channel in channels if pin is not None and pin in inputs_of(channel)), None)
 
 
@@ -44,4 +40,4 @@ def servo_pins(
     first, second = channel.first, channel.second
     if own is not None and own.mirrored:
         first, second = second, first
-    return (pin_of(own) if own is not None else inputs_of(channel)[0], channel.enable, first, second, channel.awake)
+    return (bound_pin(own) if own is not None else inputs_of(channel)[0], channel.enable, first, second, channel.awake)

@@ -20,7 +20,7 @@ from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.plans.choices import choices_json
 from robosmi.transformations.queries.plans.plan_adapters import limits
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
 
@@ -215,8 +215,7 @@ def ports_by_pin(plan: migration.MigrationPlan) -> dict[str, list[str]]:
     """The label of a pin of the target's board -> the names of the ports of the source that are bound to it."""
     found: dict[str, list[str]] = {}
     for binding in plan.portBindings:
-        pin = binding.pin or (binding.connection.pin if binding.connection is not None else None)
-        if pin is not None:
+        if (pin := bound_pin(binding)) is not None:
             found.setdefault(str(pin.label), []).append(str(binding.name))
     return found
 

@@ -17,6 +17,11 @@ NO_PIN = "no-pin-in-macro"
 """The rule by which calls in macros get no pin, because no text could look up their ports."""
 
 
+def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
+    """The pin of a binding, set directly or through its connection; None if it has none."""
+    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
+
+
 def port_text(binding: migration.PortBinding) -> str | None:
     """The text for a port on the target: its connection's name, else its pin's literal; None if it has no pin."""
     if binding.connection is not None:
