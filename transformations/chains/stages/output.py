@@ -82,6 +82,11 @@ class Generated(Struct):
         return self.output / self.models.plan.name
 
     @property
+    def open_choices(self) -> int:
+        """How many choices are left to a person."""
+        return len(open_choices(self.models.plan))
+
+    @property
     def findings(self) -> list[Finding]:
         """The plan's findings, and those of this run alone."""
         return Findings([*as_findings(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
