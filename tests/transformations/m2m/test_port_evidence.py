@@ -36,7 +36,7 @@ def test_what_the_program_says_beside_an_open_port_orders_its_options(case: Path
     wiring = case / "wiring.csv"
     wanted = dict(re.findall(r"^# first (\S+) = (\S+)$", wiring.read_text(), re.MULTILINE))
     plan = robosmi.plan_migration([case / "program.c"], hardware=wiring).plan
-    pins = {c.name: c.pin.label for c in plan.connections}
+    pins = {c.name: c.pin.label for c in plan.connections if c.pin is not None}
     offered = {choice.subject: choice.options for choice in available_choices(plan) if choice.chosen is None}
     assert {name: pins.get(offered[name][0].value, offered[name][0].value) for name in wanted} == wanted
     assert all(len({option.value for option in options}) == len(options) for options in offered.values())
