@@ -11,7 +11,7 @@
 # make mutants   small changes of the product's own code, and how many of them `make check` notices, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
 # make readme  the output, excerpts and pictures of README.md and docs/tutorial.md
-# make rules  the tables of docs/reference/rules.md and plug-ins.md, from the rules' data and the code
+# make rules  the tables of docs/reference/rules.md, plug-ins.md and wiring.md, from the rules' data and the code
 # make floor-plan  the picture of rooms and imports in docs/architecture.md, from the code
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
@@ -110,6 +110,7 @@ wheel:
 rules: $(VENV)/.ready
 	$(BIN)/python -m tests.rules_page
 	$(BIN)/python -m tests.plug_ins_page
+	$(BIN)/python -m tests.wiring_page
 
 floor-plan: $(VENV)/.ready
 	$(BIN)/python -m tests.floor_plan

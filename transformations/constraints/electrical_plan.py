@@ -1,6 +1,6 @@
 """Constraints on program, drawing and libraries in combination: directions, timers, serial port, number of pins.
 
-They apply to a plan with a drawing (rules RS260 to RS268). Constraints on the drawing alone are in `electrical`.
+They apply to a plan with a drawing. Constraints on the drawing alone are in `electrical`.
 """
 
 from __future__ import annotations

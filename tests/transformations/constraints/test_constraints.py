@@ -10,6 +10,7 @@ import pytest
 
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.plugins import registry
+from robosmi.report.rules import finding_rules
 from robosmi.transformations.constraints.code import code
 from robosmi.transformations.constraints.hardware import circuit
 from robosmi.transformations.constraints.plan import plan
@@ -66,6 +67,17 @@ def test_a_fix_mends_what_it_is_for(rule: str) -> None:
     model = EXAMPLES[rule][1]()
     assert [a.error for a in checked(model, fix="first").fixed] == [None]
     assert rules(checked(model)) == []
+
+
+OF = {"plan": (plan, edits, ports, by_words), "code": (code,), "hardware": (circuit,)}
+
+
+@pytest.mark.parametrize(("subject", "sets"), OF.items(), ids=list(OF))
+def test_the_meaning_of_a_rule_on_models_begins_with_its_model(subject: str, sets: tuple[EVL, ...]) -> None:
+    known = finding_rules(ROOT)
+    ids = [c.id for one in sets for context in one.contexts for c in context.constraints if c.id[:3] == "RS7"]
+    assert ids
+    assert [i for i in ids if not known[i].meaning.startswith(f"{subject}: ")] == []
 
 
 def test_the_sets_are_registered_by_the_name_of_their_metamodel() -> None:
