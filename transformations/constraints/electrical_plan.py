@@ -336,16 +336,12 @@ def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
 def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
     """Pins that the program drives are not connected to each other."""
     w, board = wired(p), p.boardComponent
-    written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := _pin(b)) is not None}
+    written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := bound_pin(b)) is not None}
     for _, net in w.nets(board) if board is not None else ():
         labels = [label for owner, label in w.pins_at(net) if owner is board and label in written]
         if len(labels) > 1 and not net.rail:
             return Fail(f"the program drives {listed(labels)}, which are joined in the drawing", pins=", ".join(labels))
     return True
-
-
-def _pin(binding: migration.PortBinding) -> platform.Pin | None:
-    return binding.connection.pin if binding.connection is not None else binding.pin
 
 
 @plans.critique(id="RS263", location=place, advice="choose another library for one of them")

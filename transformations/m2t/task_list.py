@@ -16,6 +16,7 @@ from robosmi.transformations.queries.circuits.connector_names import displayed_n
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
@@ -155,7 +156,7 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
 
 
 def _target(binding: migration.PortBinding) -> str:
-    pin = binding.connection.pin if binding.connection is not None else binding.pin
+    pin = bound_pin(binding)
     if pin is None:
         return "not connected" if not binding.open else "open: its calls do nothing"
     answer = binding.answer.pin if binding.answer is not None and binding.answer is not binding.connection else None

@@ -16,6 +16,8 @@ from robosmi.transformations.constraints.hardware import circuit
 from robosmi.transformations.constraints.plan import plan
 from robosmi.transformations.constraints.plan_edits import edits
 from robosmi.transformations.constraints.plan_ports import by_words, ports
+from robosmi.transformations.queries.plans.plan import binding_json
+from robosmi.transformations.queries.plans.port_pins import bound_pin, port_text
 from robosmi.validate import EVL, Constraint, Validation
 from tests.transformations.constraints.examples import EXAMPLES
 
@@ -91,3 +93,11 @@ def test_a_name_that_is_defined_twice_is_judged_anew_in_another_model() -> None:
     bad.units[0].declarations[0].name = "other"
     assert rules(checked(bad)) == []
     assert rules(checked(good)) == []
+
+
+def test_where_pin_and_connection_differ_all_follow_the_connection_whose_name_the_sketch_has() -> None:
+    model = EXAMPLES["RS704"][1]()
+    (binding,) = [b for b in model.portBindings if b.connection is not None and b.pin is not b.connection.pin]
+    assert bound_pin(binding) is binding.connection.pin
+    assert binding_json(binding)["pin"] == (binding.connection.pin.label if binding.connection.pin is not None else None)
+    assert port_text(binding) == binding.connection.name

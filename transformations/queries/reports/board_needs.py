@@ -16,6 +16,7 @@ from robosmi.transformations.knowledge.board_models import load_board, mapped_bo
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import platform_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, emitted
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 from robosmi.transformations.queries.ports.split_wires import answering_pin
 from robosmi.transformations.queries.resources.loop_time import Time, loop_time
@@ -131,15 +132,11 @@ def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
     used = [b for b in plan.portBindings if not is_idle(plan, b)]
-    bound = {id(pin) for b in used for pin in (_pin(b), answering_pin(b)) if pin is not None}
+    bound = {id(pin) for b in used for pin in (bound_pin(b), answering_pin(b)) if pin is not None}
     bound |= {id(pin) for pin in pins_for_motors(plan)}
     drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
     wanted = sum(b.open for b in plan.portBindings)
     return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)
-
-
-def _pin(binding: migration.PortBinding) -> platform.Pin | None:
-    return binding.connection.pin if binding.connection is not None else binding.pin
 
 
 def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
