@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.model import EmfModel
@@ -329,7 +330,9 @@ def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
     if len(used) <= has:
         return True
     assert p.board is not None
-    return Fail(f"the program uses {len(used)} pins, but {p.board.title or p.board.name} has {has}", used=len(used), has=has)
+    return Fail(
+        f"the program uses {quantity(len(used), 'pin')}, but {p.board.title or p.board.name} has {has}", used=len(used), has=has
+    )
 
 
 @plans.constraint(id="RS268", location=place, advice="separate the pins in the drawing, or bind one of the ports to another pin")

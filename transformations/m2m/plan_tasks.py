@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.model.elements.strict import enum_literal
@@ -156,7 +157,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
         yield Task(
             rule="RS501",
             severity=Level.warning,
-            message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}{why}",
+            message=f"write the body of '{target_signature(adapter)}', called {quantity(count, 'time')}{why}",
             effort=body_effort(adapter),
             fix=f"{_where(plan, adapter)}: implement '{adapter.signature}' for the target"
             + ("; or also give the file that defines it" if adapter.function is None else ""),

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
@@ -204,7 +205,7 @@ def _counts(judged: Sequence[Construct]) -> str:
     """How many constructs have each verdict, in words; the first number is their sum."""
     counts = verdict_counts(judged)
     summed = ", ".join(f"{counts[verdict]} {word}" for verdict, word in VERDICT_WORDS.items() if counts[verdict])
-    return f"{counts['total']} element{'s' * (counts['total'] != 1)}: {summed or 'none'}."
+    return f"{quantity(counts['total'], 'element')}: {summed or 'none'}."
 
 
 def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, Json]:

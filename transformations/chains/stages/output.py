@@ -15,6 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
 from robosmi.files.external_files import ExternalFiles
@@ -92,7 +93,7 @@ class Generated(Struct):
         made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
         done = "made" if self.written else "to generate"
         view = f"{element_html(self.models.plan)}{findings_html(self.findings)}"
-        return f"{view}<details><summary>{len(self.contents)} files {done}</summary><ul>{made}</ul></details>"
+        return f"{view}<details><summary>{quantity(len(self.contents), 'file')} {done}</summary><ul>{made}</ul></details>"
 
     def result(self) -> dict[str, Any]:
         """The contract's result."""

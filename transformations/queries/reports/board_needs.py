@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.board_models import load_board, mapped_boards
 from robosmi.transformations.queries.plans.motors import pins_for_motors
@@ -196,7 +197,7 @@ def needs_in_words(needs: BoardNeeds) -> str:
         )
     if pins.of_board and (pins.used or pins.drawn or pins.wanted):
         more = f", {pins.wanted} still to assign" if pins.wanted else ""
-        spare = f", {pins.drawn} wired pin{'s' * (pins.drawn != 1)} the program does not use yet" if pins.drawn else ""
+        spare = f", {quantity(pins.drawn, 'wired pin')} the program does not use yet" if pins.drawn else ""
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
     known = needs.memory
@@ -242,7 +243,7 @@ def shortages(needs: BoardNeeds) -> list[str]:
         found[-1] += f"; '{needs.roomier}' may have enough"
     if needs.pins.missing:
         needed = needs.pins.used + needs.pins.wanted
-        few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
+        few = f"{quantity(needs.pins.missing, 'pin')} too few"
         found.append(f"{few}: the program needs {needed}, the board has {needs.pins.of_board}")
     found += [f"{timer.timer} is needed by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
     return found
