@@ -20,6 +20,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean, placed
 from robosmi.metamodels import ccode, migration, platform
@@ -394,7 +395,7 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
     """
     if len(seats) * len(free) > MOST_PAIRS:
         raise SourceError(
-            f"{len(seats)} open ports and {len(free)} connections are too many to match",
+            f"{quantity(len(seats), 'open port')} and {quantity(len(free), 'connection')} are too many to match",
             location=_drawing(free[0]),
             fix="take what the program does not use out of the drawing, or bind the ports in robosmi.toml",
         )

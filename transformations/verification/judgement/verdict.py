@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.after_the_end import compared_after_the_end
@@ -256,7 +257,7 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
     idle = [str(channel["name"]) for channel in verdict.channels()]
     where = "in any test case (give one in which it changes: --scenario FILE)"
     if verdict.racy:
-        others = f"{verdict.racy} other{'s' * (verdict.racy != 1)}"
+        others = quantity(verdict.racy, "other")
         where = (
             f"in the remaining test cases; in {others} the original is not repeatable "
             "(give one in which it is repeatable: --scenario FILE, or check on the bench)"
