@@ -38,10 +38,12 @@ class ArchitectureFacts(Struct, frozen=True, eq=False):
     Attributes:
         brings: architecture -> the libraries that its core brings along.
         instead: architecture -> library that does not work there -> what to use.
+        home: the architecture that libraries are written for which list none, or all.
     """
 
     brings: Mapping[str, frozenset[str]] = {}
     instead: Mapping[str, Mapping[str, Replacement]] = {}
+    home: str = ""
 
     def support(self, library: Library, architecture: str | None) -> Support:
         """How sure it is that a library works on an architecture; everything probably works on none in particular."""
@@ -52,6 +54,16 @@ class ArchitectureFacts(Struct, frozen=True, eq=False):
         if library.name in self.instead.get(architecture, {}):
             return Support.absent
         return Support.probable if not library.architectures or ANY in library.architectures else Support.absent
+
+    def remark(self, library: Library, architecture: str | None) -> str:
+        """What to know of a library on an architecture: why it does not work there, or that it probably does; empty otherwise."""
+        support = self.support(library, architecture)
+        if support is Support.absent:
+            return self.objection(library, architecture)
+        if support is Support.listed or not architecture or architecture == self.home:
+            return ""
+        listed = "lists all architectures" if library.architectures else "lists no architecture"
+        return f"probably works on {architecture}: it {listed}"
 
     def replacement(self, library: str, architecture: str | None) -> Replacement | None:
         """What to use for a library on an architecture; None if nothing is known."""

@@ -206,8 +206,8 @@ class DeviceRanker:
         agreement = self._agreement(entry.library, part)
         if agreement != 1.0:
             reasons.append(f"it uses {'/'.join(sorted(self._speaks(entry.library) & _BUSES))}, but the part uses {wanted}")
-        if objection := self.knowledge.architectures.objection(library, self.architecture):
-            reasons.append(objection)
+        if remark := self.knowledge.architectures.remark(library, self.architecture):
+            reasons.append(remark)
         if library.installed:
             reasons.append("installed here")
         if first:

@@ -310,21 +310,27 @@ def _architecture_facts(paths: list[Path]) -> ArchitectureFacts:
     """The facts of the files; those of the first one go before."""
     brings: dict[str, frozenset[str]] = {}
     instead: dict[str, dict[str, Replacement]] = {}
+    home = ""
     for path in reversed(paths):
         file = DataTable.read(path)
+        for key in file.values:
+            if key not in ("home", "brings", "instead"):
+                raise file.error(key, f"is no key of it{did_you_mean(key, ('home', 'brings', 'instead'))}")
+        home = file.text("home", home)
         for kind, needed in (("brings", ("libraries",)), ("instead", ("library", "use", "why"))):
             for table in file.tables(kind, needed=False):
-                known = ("architecture", "source", *needed)
+                known = ("architectures", "source", *needed)
                 for key in table.values:
                     if key not in known:
                         raise table.error(key, f"is no key of it{did_you_mean(key, known)}")
-                architecture, _ = table.text("architecture"), table.text("source")
-                if kind == "brings":
-                    brings[architecture] = brings.get(architecture, frozenset()) | {*table.texts("libraries")}
-                else:
-                    found = Replacement(table.text("use"), table.text("why"))
-                    instead.setdefault(architecture, {})[table.text("library")] = found
-    return ArchitectureFacts(brings, instead)
+                table.text("source")  # a fact without one is refused
+                for architecture in table.texts("architectures"):
+                    if kind == "brings":
+                        brings[architecture] = brings.get(architecture, frozenset()) | {*table.texts("libraries")}
+                    else:
+                        found = Replacement(table.text("use"), table.text("why"))
+                        instead.setdefault(architecture, {})[table.text("library")] = found
+    return ArchitectureFacts(brings, instead, home)
 
 
 def refuse_unknown_usual(platform: str, libraries: Collection[str], project: Path | None = None) -> None:
