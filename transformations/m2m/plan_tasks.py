@@ -18,6 +18,7 @@ from robosmi.transformations.m2m.adapters.adapter_choice import NO_ADAPTER, sett
 from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
+from robosmi.transformations.m2m.moved_choices import update_move
 from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
@@ -101,6 +102,7 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
     settle_libraries(plan)
     settle_bindings(plan, [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else [])
     settle_tasks(plan)
+    update_move(plan)
 
 
 def settle_tasks(plan: migration.MigrationPlan) -> None:

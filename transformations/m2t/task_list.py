@@ -13,6 +13,7 @@ from robosmi.base.data_text import Json
 from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
+from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import called, header_name
@@ -50,6 +51,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "screen": screen,
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
+        "moved": move_text(plan),
         "conflicts": [_conflict(task) for task in plan.tasks if task.texts],
         "findings": [
             _said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, tasks)

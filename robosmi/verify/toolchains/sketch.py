@@ -191,9 +191,26 @@ def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     deep = folder / data.text("recursive")
     files = [*folder.glob("*"), *(deep.rglob("*") if deep.is_dir() else ())]
     sources = sorted(path for path in files if path.suffix in toolchain.suffixes and path.is_file() and path != main)
+    _check_names((main, *parts, *sources))
     name = data.text("project_file", "")
     project_file = _project_file(folder / name, data) if name and (folder / name).is_file() else None
     return Sketch(folder, main, tuple(parts), tuple(sources), project_file)
+
+
+def _check_names(files: Iterable[Path]) -> None:
+    """Make sure that no file has a name that a compiler takes for an option, or for the name of a file with options.
+
+    The path before it does not help: compilers pass the name alone to the programs that they consist of.
+
+    Raises:
+        SourceError: a name begins so.
+    """
+    for path in files:
+        if path.name.startswith(("-", "@")):
+            raise SourceError(
+                f"a compiler takes '{path.name}' for {'an option' if path.name[0] == '-' else 'a file with options'}",
+                location=Location(str(path)), fix=f"rename the file so that it does not begin with '{path.name[0]}'",
+            )  # fmt: skip
 
 
 def _project_file(path: Path, data: DataTable) -> ProjectFile:

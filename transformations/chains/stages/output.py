@@ -33,7 +33,7 @@ from robosmi.transformations.chains.stages.written_output import checked, chosen
 from robosmi.transformations.m2t.first_screen import Counted, counted
 from robosmi.transformations.m2t.program_files import BENCH, report_file
 from robosmi.transformations.m2t.terminal_text import terminal_lines
-from robosmi.transformations.queries.plans.plan import as_findings, open_choices, plan_json
+from robosmi.transformations.queries.plans.plan import as_findings, move_json, open_choices, plan_json
 from robosmi.transformations.queries.reports.work import work_json
 from robosmi.transformations.verification.judgement.stored_verdict import SEVERITIES
 
@@ -122,6 +122,8 @@ class Generated(Struct):
             "sketch": str(self.sketch),
             "written": self.written,
         }
+        if (moved := move_json(self.models.plan)) is not None:
+            made["moved"] = moved
         if not self.written:
             made["diff"] = self.diff
         return made if self.verification is None else made | {"verification": self.verification[0]}

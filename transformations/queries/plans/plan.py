@@ -210,6 +210,27 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Json]:
     }
 
 
+def move_json(plan: migration.MigrationPlan) -> dict[str, Any] | None:
+    """What changed since the plan for another board, as the contract's `moved`; None if there was none."""
+    move = plan.move
+    if move is None:
+        return None
+    counts = move_counts(move)
+    return {
+        "from": move.target, "to": plan.targetDescription.name if plan.targetDescription is not None else "",
+        **{kind: counts[kind] for kind in ("kept", "proposed", "decided", "lost")}, "open": len(open_choices(plan)),
+        "pins_proposed": bool(move.pinsProposed),
+        "changes": [
+            {"kind": c.kind.name, "subject": c.subject, "before": c.before, "after": c.after, "why": c.why} for c in move.changes
+        ],
+    }  # fmt: skip
+
+
+def move_counts(move: migration.Move) -> Counter[str]:
+    """How many choices became what when a program was moved to another board, by the names of `ChangeKind`."""
+    return Counter(str(change.kind.name) for change in move.changes)
+
+
 def ports_by_pin(plan: migration.MigrationPlan) -> dict[str, list[str]]:
     """The label of a pin of the target's board -> the names of the ports of the source that are bound to it."""
     found: dict[str, list[str]] = {}
