@@ -16,7 +16,7 @@
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
 # make docs  the documentation as a site in out/site, built offline, with its links checked
-# make wheel  build the wheel, install it in a clean environment, use it from another folder
+# make wheel  build the sdist and from it the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
 VENV := .venv
@@ -106,7 +106,7 @@ pyecore: $(VENV)/.ready
 	$(BIN)/python -m tests.model.pyecore_contract 0.14.0 0.15.2
 
 wheel:
-	@sh .ci/wheel
+	@PYTHON=$(PYTHON) sh .ci/wheel
 
 rules: $(VENV)/.ready
 	$(BIN)/python -m tests.rules_page

@@ -370,7 +370,9 @@ def _answer(name: str, /, *arguments: Any, **options: Any) -> Any:
         made = list(made)
     if made is not None and not isinstance(made, _READABLE):
         raise wrong_result(query, made, query.returns)
-    return collections.Q(made) if type(made) in (list, tuple) else made
+    if isinstance(made, (list, tuple)) and type(made) in (list, tuple):  # a subclass has operations of its own
+        return collections.Q(made)
+    return made
 
 
 def _few(names: list[str]) -> str:

@@ -12,6 +12,7 @@ import pytest
 from robosmi import plugins
 from robosmi.errors import ModelError, RobosmiError, RuleError, UsageError
 from robosmi.model.opening import open_model
+from robosmi.plugin_contracts import KINDS
 from robosmi.plugins import Registry
 from robosmi.query import ModelView, expression
 from robosmi.query.answers import as_json
@@ -100,7 +101,7 @@ def test_what_goes_wrong_is_blamed_on_who_did_it(text: str, kind: type[RobosmiEr
 
 
 def test_a_name_that_no_expression_can_say_is_reported() -> None:
-    faults = plugins.KINDS["named query"].name_fault
+    faults = KINDS["named query"].name_fault
     assert faults("titles", ()) is None
     assert faults("_titles", ())
     assert faults("two words", ())
