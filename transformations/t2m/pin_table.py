@@ -20,6 +20,7 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.base.data_text import toml_of
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, TooLargeError, did_you_mean
 from robosmi.metamodels import hardware, platform
@@ -363,7 +364,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
             raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
         if len(cells) > len(header):
             raise SourceError(
-                f"a row has {len(cells)} cells, but the header has {len(header)}",
+                f"a row has {quantity(len(cells), 'cell')}, but the header has {len(header)}",
                 location=Location(str(path), number),
                 fix="put cells that contain a comma in quotes",
             )

@@ -117,7 +117,8 @@ def _of_folder(folder: str) -> list[str]:
     if not files:
         raise SourceError(
             "this is a folder without C sources",
-            location=Location(folder), fix=f"give a folder with sources ({', '.join(ENDINGS)}), or source files",
+            location=Location(folder),
+            fix=f"give a folder with sources ({', '.join(ENDINGS)}), source files, or the output folder of a migration",
         )  # fmt: skip
     return files
 
