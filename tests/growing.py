@@ -10,6 +10,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
+
+from tests.running import run
+
 Words = list[str | Path]
 
 
@@ -261,6 +265,27 @@ def _migrate(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
     return lambda folder, n: ["migrate", program(folder, text(n)), "-o", folder / "out"]
 
 
+def _stored(text: Callable[[int], str], folder: Path, n: int) -> Path:
+    """The output folder of a migrated program; what this costs is not measured."""
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setenv("ROBOSMI_HOME", str(folder / "home"))
+        outcome = run("migrate", program(folder, text(n)), "-o", folder / "out")
+    assert outcome.code in (0, 1), outcome.err
+    return folder / "out"
+
+
+def _generate(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
+    return lambda folder, n: ["generate", _stored(text, folder, n) / "models" / "plan.xmi", "-o", folder / "again"]
+
+
+def _compile(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
+    return lambda folder, n: ["compile", _stored(text, folder, n)]
+
+
+STORED = ("calls", "functions", "globals that are ports", "local variables", "elements of an array", "values of one variable")
+"""Programs whose stored plans are generated from, and compiled."""
+
+
 def _headers(folder: Path, n: int) -> Words:
     for number in range(n):
         (folder / f"h{number}.h").write_text(f"#ifndef H{number}\n#define H{number}\nint in{number}(void);\n#endif\n")
@@ -468,6 +493,8 @@ OTHERS: dict[str, tuple[Callable[[Path, int], Words], int]] = {
 FAMILIES: tuple[Growing, ...] = (
     *(Growing(f"{name}: analyse", _analyse(text), n) for name, (text, n) in PROGRAMS.items()),
     *(Growing(f"{name}: migrate", _migrate(text), n) for name, (text, n) in PROGRAMS.items()),
+    *(Growing(f"{name}: generate", _generate(PROGRAMS[name][0]), PROGRAMS[name][1]) for name in STORED),
+    *(Growing(f"{name}: compile", _compile(PROGRAMS[name][0]), PROGRAMS[name][1]) for name in STORED),
     *(
         Growing(f"{name}: {command}", _drawn(parts, command), n)
         for name, (parts, n) in DRAWINGS.items()

@@ -44,6 +44,7 @@ from robosmi.errors import (
     TooLargeError,
     UploadError,
     UsageError,
+    VerificationError,
     did_you_mean,
 )
 from robosmi.inputs import fix_of
@@ -113,6 +114,7 @@ ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
     (StoppedError, "RS905"),
     (CompileError, "RS906"),
     (UploadError, "RS909"),
+    (VerificationError, "RS913"),
     (RobosmiError, "RS970"),
 )
 
