@@ -41,6 +41,7 @@ from robosmi.errors import (
     RuleError,
     SourceError,
     StoppedError,
+    TooLargeError,
     UploadError,
     UsageError,
     did_you_mean,
@@ -105,6 +106,7 @@ FIRST_COMMANDS = ("demo", "migrate", "open", "verify", "doctor")
 ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
     (UsageError, "RS901"),
     (ModelError, "RS907"),
+    (TooLargeError, "RS912"),
     (SourceError, "RS902"),
     (PlatformDataError, "RS903"),
     (MissingToolError, "RS904"),
@@ -283,7 +285,7 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
         with suppress(SourceError):  # the message below has to do
             _print_json(document)
     place = f"{error.location}: " if error.location else ""
-    streams.complain(_lines(f"robosmi: error: {place}{error.message}"))
+    streams.complain(_lines(f"robosmi: error: {place}{error.message} [{rule}]"))
     if error.fix:
         streams.complain(_lines(f"  do: {error.fix}"))
     for each in plugins:

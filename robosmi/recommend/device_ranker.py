@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import UsageError
 from robosmi.recommend.architectures import ArchitectureFacts, Support
 from robosmi.recommend.component import ComponentQuery
@@ -237,7 +238,7 @@ class DeviceRanker:
         for candidate in candidates:
             count = chosen.get(candidate.library, 0)
             near = count > 0 and candidate.score >= NEARLY * best
-            reason = f"chosen {count} time{'s' if count > 1 else ''} before for {how}"
+            reason = f"chosen {quantity(count, 'time')} before for {how}"
             reasons = (reason, *candidate.reasons) if count else candidate.reasons
             listed.append(
                 (

@@ -16,6 +16,7 @@ from typing import Any
 from msgspec import field
 from msgspec.structs import asdict, replace
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
 from robosmi.files.commit import again_when_changed
@@ -93,7 +94,7 @@ class Chosen(Generated):
         lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
         left = len(open_choices(self.models.plan))
         where = f" and in {self.updated_project}" if self.project is not None else ""
-        lines.append(f"{would}saved in the plan{where}; {left} choice{'s' * (left != 1)} open")
+        lines.append(f"{would}saved in the plan{where}; {quantity(left, 'choice')} open")
         if every_file:
             return [*lines, *self.diff.splitlines()]
         main = f"{self.sketch.name}/{self.sketch.name}."

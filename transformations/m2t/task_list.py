@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.m2t.move_text import move_text
@@ -17,6 +18,7 @@ from robosmi.transformations.queries.circuits.connector_names import displayed_n
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
@@ -157,7 +159,7 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
 
 
 def _target(binding: migration.PortBinding) -> str:
-    pin = binding.connection.pin if binding.connection is not None else binding.pin
+    pin = bound_pin(binding)
     if pin is None:
         return "not connected" if not binding.open else "open: its calls do nothing"
     answer = binding.answer.pin if binding.answer is not None and binding.answer is not binding.connection else None
@@ -205,7 +207,7 @@ def _counts(judged: Sequence[Construct]) -> str:
     """How many constructs have each verdict, in words; the first number is their sum."""
     counts = verdict_counts(judged)
     summed = ", ".join(f"{counts[verdict]} {word}" for verdict, word in VERDICT_WORDS.items() if counts[verdict])
-    return f"{counts['total']} element{'s' * (counts['total'] != 1)}: {summed or 'none'}."
+    return f"{quantity(counts['total'], 'element')}: {summed or 'none'}."
 
 
 def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, Json]:

@@ -16,6 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
+from robosmi.base.quantities import quantity
 from robosmi.cli.common import add_source_options, command_line, output_folder, pairs
 from robosmi.cli.progress import progress
 from robosmi.files.external_files import ExternalFiles
@@ -294,7 +295,7 @@ class Answers:
         if not change.files:
             return {}
         count, place = sum(len(each) for each in entries.values()), displayed_path(folder / FILE_NAME)
-        print(f"\nSave {count} answer{'s' * (count != 1)} in {terminal(place)}? (y; Enter: no)", file=self.out or sys.stdout)
+        print(f"\nSave {quantity(count, 'answer')} in {terminal(place)}? (y; Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")
         except EOFError:

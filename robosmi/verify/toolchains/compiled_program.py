@@ -29,7 +29,6 @@ from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.sketch import Sketch, check_inside, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 
 DATABASE = "compile_commands.json"
 _QUOTED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
@@ -75,7 +74,7 @@ def compile_into(
         SourceError: the folder cannot be written, or a link leads out of the output folder; and as `compile_sketch`.
         StoppedError: another run is writing there, or a file there is read-only.
     """
-    sketch, _ = find_sketch(Path(folder_or_sketch), load_toolchains(project))
+    sketch, _ = find_sketch(Path(folder_or_sketch), project)
     folder = into if into is not None else folder_of(Path(folder_or_sketch), sketch)
     sources = digests(sketch, folder)
     with temporary_folder("kept") as kept:

@@ -28,7 +28,7 @@ from robosmi.verify.toolchains.boards import Board, BootLoader, find_board, load
 from robosmi.verify.toolchains.build_record import BuildRecord
 from robosmi.verify.toolchains.compiled_program import compiled_file, digests, folder_of, outside, read_record
 from robosmi.verify.toolchains.sketch import Sketch, find_sketch
-from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.uploads import serial_ports
 from robosmi.verify.uploads.drives import copy_to, find_drive, is_drive, uf2_bytes, wait_for_drive
 from robosmi.verify.uploads.uploader import COPY, Uploader, find_uploader, uploader_data
@@ -112,7 +112,7 @@ def upload_sketch(
     started = time.perf_counter()
     with acting(project):
         named = Path(folder_or_sketch)
-        sketch, toolchain = find_sketch(named, load_toolchains(project))
+        sketch, toolchain = find_sketch(named, project)
         folder = kept_in if kept_in is not None else folder_of(named, sketch)
         _harmless(sketch)
         record = _record(sketch, folder, named)

@@ -151,9 +151,8 @@ def binding_json(binding: migration.PortBinding) -> dict[str, Json]:
 
 
 def _pin(binding: migration.PortBinding) -> str | None:
-    if binding.connection is not None and binding.connection.pin is not None:
-        return binding.connection.pin.label
-    return binding.pin.label if binding.pin is not None else None
+    pin = bound_pin(binding)
+    return pin.label if pin is not None else None
 
 
 def library_json(choice: migration.LibraryChoice) -> dict[str, Json]:
