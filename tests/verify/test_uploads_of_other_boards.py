@@ -15,7 +15,6 @@ from robosmi.errors import MissingToolError, SourceError, UploadError, UsageErro
 from robosmi.verify.toolchains.build_record import BuildRecord
 from robosmi.verify.toolchains.compiled_program import digests
 from robosmi.verify.toolchains.sketch import find_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from robosmi.verify.uploads.upload import upload_sketch
 from tests.running import run
 
@@ -48,7 +47,7 @@ def intel_hex(start: int, data: bytes) -> bytes:
 def kept(folder: Path, board: str, ending: str, program: bytes, stand_in: str = "") -> Path:
     """An output folder with a compiled program for a board, as `compile` leaves it."""
     out = Path(shutil.copytree(CASES / "blink", folder / "out"))
-    sketch, _ = find_sketch(out, load_toolchains())
+    sketch, _ = find_sketch(out)
     build = out / "build"
     build.mkdir()
     made = hashlib.sha256(program).hexdigest()
