@@ -402,6 +402,7 @@ OPENS: dict[str, str] = {
     "robosmi/files/sqlite_files.py": "changes bytes of the file that it has just written",
     "robosmi/base/file_locks.py": "opens files and folders to lock them, and reads nothing by it",
     "robosmi/verify/uploads/serial_ports.py": "opens serial ports, which are no files to be read",
+    "robosmi/verify/uploads/drives.py": "writes to the drive of a board, which takes no file under another name",
     "robosmi/files/zip_archive.py": "reads an archive that is in memory",
     "transformations/t2m/fritzing/drawing_model.py": "writes an archive in memory",
 }

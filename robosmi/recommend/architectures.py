@@ -25,7 +25,7 @@ class Support(enum.Enum):
     absent = "absent"
 
 
-class Replacement(Struct, frozen=True):
+class LibrarySubstitute(Struct, frozen=True):
     """The library to use for another one on an architecture, and why."""
 
     library: str
@@ -42,7 +42,7 @@ class ArchitectureFacts(Struct, frozen=True, eq=False):
     """
 
     brings: Mapping[str, frozenset[str]] = {}
-    instead: Mapping[str, Mapping[str, Replacement]] = {}
+    instead: Mapping[str, Mapping[str, LibrarySubstitute]] = {}
     home: str = ""
 
     def support(self, library: Library, architecture: str | None) -> Support:
@@ -65,7 +65,7 @@ class ArchitectureFacts(Struct, frozen=True, eq=False):
         listed = "lists all architectures" if library.architectures else "lists no architecture"
         return f"probably works on {architecture}: it {listed}"
 
-    def replacement(self, library: str, architecture: str | None) -> Replacement | None:
+    def replacement(self, library: str, architecture: str | None) -> LibrarySubstitute | None:
         """What to use for a library on an architecture; None if nothing is known."""
         return self.instead.get(architecture or "", {}).get(library)
 

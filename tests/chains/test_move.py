@@ -6,14 +6,15 @@ import io
 import re
 import shutil
 import tomllib
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-import robosmi
 from robosmi.cli.commands.migrate import ask_pins
 from robosmi.errors import StoppedError
+from robosmi.transformations.chains.move import migrate_or_move
 from robosmi.transformations.chains.stages.models import stored_models
 from tests.running import run
 
@@ -104,12 +105,17 @@ def test_without_a_drawing_pins_are_proposed_and_wait_for_approval(study: str, u
 def test_a_person_approves_the_pins_at_a_terminal_or_nothing_is_written(uno: Path, tmp_path: Path) -> None:
     new = tmp_path / "pico"
     with pytest.raises(StoppedError):
-        robosmi.migrate([uno], new, target="pico", ask_pins=lambda rows: False)  # type: ignore[call-arg]
+        migrate_or_move([uno], new, target="pico", ask_pins=lambda rows: False)
     assert not new.exists()
-    seen: list[Any] = []
-    made = robosmi.migrate([uno], new, target="pico", ask_pins=lambda rows: not seen.extend(rows))  # type: ignore[call-arg]
+    seen: list[Mapping[str, str]] = []
+
+    def agrees(rows: Sequence[Mapping[str, str]]) -> bool:
+        seen.extend(rows)
+        return True
+
+    made = migrate_or_move([uno], new, target="pico", ask_pins=agrees)
     assert {row["ports"] for row in seen} >= {"leftQTI", "rightQTI"}
-    assert not made.result()["moved"]["pins_proposed"]  # type: ignore[index, call-overload]
+    assert not made.result()["moved"]["pins_proposed"]
 
 
 @pytest.mark.parametrize(("answer", "approved"), [("y", True), ("", False), ("no", False)])

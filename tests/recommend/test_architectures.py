@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.recommend.architectures import ArchitectureFacts, Replacement, Support
+from robosmi.recommend.architectures import ArchitectureFacts, LibrarySubstitute, Support
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.index import Library
 from robosmi.recommend.ranking import Candidate
@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.libraries.library_ranking import (
 )
 from robosmi.transformations.knowledge.platforms.target_platform import target_names
 
-FACTS = ArchitectureFacts({"rp2040": frozenset({"Servo"})}, {"esp32": {"Servo": Replacement("ESP32Servo", "why")}}, "avr")
+FACTS = ArchitectureFacts({"rp2040": frozenset({"Servo"})}, {"esp32": {"Servo": LibrarySubstitute("ESP32Servo", "why")}}, "avr")
 SERVO = ComponentQuery("1", "Basic Servo", family="Servo")
 
 

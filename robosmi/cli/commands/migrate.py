@@ -103,7 +103,9 @@ def run(arguments: _Arguments) -> Report:
         recover(arguments.output)  # what a killed run has begun there may be a change of the project file, too
     first = arguments.files[0]
     project: Project = content("query", "migration_project")(arguments.files)
-    answers = Answers(_bind_table(arguments.target, project)) if may_ask(yes=arguments.yes, as_json=arguments.json) else None
+    answers = (
+        Answers(bind_table=_bind_table(arguments.target, project)) if may_ask(yes=arguments.yes, as_json=arguments.json) else None
+    )
     beside = project.path.parent if project.path is not None else first if first.is_dir() else first.parent
     with progress() as told:
         done: MigratedSketch = content("chain", "migrate")(
@@ -251,12 +253,12 @@ class Answers:
     """What a person answers in one run, to be kept where the person wishes.
 
     Args:
-        bind_table: the table of the project file for pins.
         answer: reads one line.
         out: where is written; stdout if None.
+        bind_table: the table of the project file for pins.
     """
 
-    def __init__(self, bind_table: str = "bind", answer: Callable[[str], str] = input, out: TextIO | None = None) -> None:
+    def __init__(self, answer: Callable[[str], str] = input, out: TextIO | None = None, bind_table: str = "bind") -> None:
         self.bind_table, self.answer, self.out = bind_table, answer, out
         self.said: dict[str, dict[str, str]] = {}
 

@@ -85,8 +85,8 @@ def upload_sketch(
 ) -> UploadReport:
     """Put the compiled program of a sketch on the board at a port.
 
-    The tool of the board is data. A tool for AVR boards reads the signature of the microcontroller first, and sends nothing to
-    another one; so does one that copies files to the board's drive, by what the drive says of the board.
+    The tool of the board is data. One that knows signatures reads that of the microcontroller first, and sends nothing to another
+    one; so does one that copies files to the board's drive, by what the drive says of the board.
 
     Args:
         folder_or_sketch: the generated folder, the sketch's folder in it, or its main file.
@@ -351,7 +351,7 @@ def _program_bytes(program: bytes, file: Path) -> int:
 
 
 _FLASH = 0xFFFFFF
-"""Flash begins at a multiple of the next number: at 0 on an AVR, at 0x60000000 on a Teensy 4."""
+"""Flash begins at a multiple of the next number: at 0 on small microcontrollers, at 0x60000000 on some with flash outside."""
 
 
 # ---- the board

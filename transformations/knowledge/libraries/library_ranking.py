@@ -28,7 +28,7 @@ from robosmi.base.data_text import as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.project import default_text, read_data
-from robosmi.recommend.architectures import ArchitectureFacts, Replacement
+from robosmi.recommend.architectures import ArchitectureFacts, LibrarySubstitute
 from robosmi.recommend.decision import DecisionModel
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
@@ -309,7 +309,7 @@ def unsuitable(name: str, target: str, architecture: str, project: Path | None =
 def _architecture_facts(paths: list[Path]) -> ArchitectureFacts:
     """The facts of the files; those of the first one go before."""
     brings: dict[str, frozenset[str]] = {}
-    instead: dict[str, dict[str, Replacement]] = {}
+    instead: dict[str, dict[str, LibrarySubstitute]] = {}
     home = ""
     for path in reversed(paths):
         file = DataTable.read(path)
@@ -328,7 +328,7 @@ def _architecture_facts(paths: list[Path]) -> ArchitectureFacts:
                     if kind == "brings":
                         brings[architecture] = brings.get(architecture, frozenset()) | {*table.texts("libraries")}
                     else:
-                        found = Replacement(table.text("use"), table.text("why"))
+                        found = LibrarySubstitute(table.text("use"), table.text("why"))
                         instead.setdefault(architecture, {})[table.text("library")] = found
     return ArchitectureFacts(brings, instead, home)
 
