@@ -2,9 +2,9 @@
 
 `ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus [--only TEXT] [--budget SECONDS] [--target BOARD] [--part K/N]
 [--table FILE]`, the seconds being those of the search for scenarios of each program, and the part the K-th of N. Which programs,
-and how their ports are wired to an Uno, is in `verified_programs.toml`; all other ports are bound to free pins of the target. A row for each: verdict, scenarios, simulated time, lines and branches
-reached, the reason or the first difference, and its cause as the file has it. With `--table` the rows are written as a table of
-Markdown.
+and how their ports are wired to an Uno, is in `verified_programs.toml`; all other ports are bound to free pins of the target. A
+row for each: verdict, scenarios, simulated time, lines and branches reached, the reason or the first difference, and its cause as
+the file has it. With `--table` the rows are written as a table of Markdown.
 """
 
 from __future__ import annotations
