@@ -1,6 +1,7 @@
 """The tables of docs/reference/corpus-schema.md, made from `robosmi.corpus.schema`.
 
-`python -m tests.corpus_schema_page` (make rules) writes the page anew; a test compares. What is around the tables is written by hand.
+`python -m tests.corpus_schema_page` (make rules) writes the page anew; a test compares.
+What is around the tables is written by hand.
 """
 
 from __future__ import annotations

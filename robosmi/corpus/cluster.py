@@ -6,8 +6,10 @@ On each Dask worker a job runs in a worker process of ours, as in the pool, so t
 from __future__ import annotations
 
 import atexit
+import logging
 import threading
 from collections.abc import Generator, Iterator, Sequence
+from importlib import import_module
 from itertools import islice
 from typing import Any
 
@@ -15,9 +17,9 @@ import msgspec
 
 from robosmi.corpus.digests import tool_version
 from robosmi.corpus.jobs import ProgramJob, ProgramResult
-from robosmi.corpus.states import FAILED
+from robosmi.corpus.states import SKIPPED
 from robosmi.corpus.worker_process import WorkerProcess
-from robosmi.errors import MissingToolError, SourceError, StoppedError
+from robosmi.errors import MissingToolError, SourceError
 
 _CONNECT_S = 30.0
 _AHEAD = 3
@@ -56,21 +58,21 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
 
     Raises:
         MissingToolError: Dask is not installed.
-        SourceError: the scheduler is not there, or dies; or it has no workers.
-        StoppedError: no worker has this version of RoboSMi.
+        SourceError: the scheduler is not there, or dies; it has no workers, or none with this version of RoboSMi.
     """
     try:
-        from distributed import Client, as_completed
+        distributed: Any = import_module("distributed")  # its types are incomplete
     except ImportError as error:
         raise MissingToolError(
             "a cluster needs the package distributed", fix="install it: pip install 'robosmi[cluster]'"
         ) from error
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what it logs of a lost connection is our message's cause
     lost = SourceError(
         f"the scheduler {scheduler} does not answer any more",
         fix="start it and run the same command again: what is stored stays",
     )  # fmt: skip
     try:
-        client = Client(scheduler, timeout=_CONNECT_S, set_as_default=False)
+        client = distributed.Client(scheduler, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise SourceError(f"there is no scheduler at {scheduler}", fix="start it: dask scheduler") from error
     try:
@@ -86,7 +88,7 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
                 made.append(future)
             return made
 
-        results = as_completed(submit(threads * _AHEAD), raise_errors=False)
+        results = distributed.as_completed(submit(threads * _AHEAD), loop=client.loop, raise_errors=False)
         while names:
             try:
                 future = next(results)
@@ -98,7 +100,7 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
             elif future.status == "cancelled" or client.status != "running":
                 raise lost
             else:
-                yield ProgramResult(name, FAILED, message=f"the cluster gave it up: {future.exception()}")
+                yield ProgramResult(name, SKIPPED, message=f"the cluster gave it up: {future.exception()}")
             future.release()
             results.update(submit(1))
         if names:
@@ -113,8 +115,7 @@ def _checked(client: Any, scheduler: str) -> int:
     """The number of threads of the cluster's workers, whose version is checked.
 
     Raises:
-        SourceError: there is no worker.
-        StoppedError: no worker has this version.
+        SourceError: there is no worker, or none with this version.
     """
     try:
         client.wait_for_workers(1, timeout=_CONNECT_S)
@@ -125,5 +126,5 @@ def _checked(client: Any, scheduler: str) -> int:
     others = {worker: said for worker, said in versions.items() if said != here}
     if len(others) == len(versions):
         worker, said = next(iter(others.items()))
-        raise StoppedError(f"no worker has RoboSMi {here}; {worker} has {said}", fix="install the same version on all machines")
+        raise SourceError(f"no worker has RoboSMi {here}; {worker} has {said}", fix="install the same version on all machines")
     return sum(client.nthreads().values())

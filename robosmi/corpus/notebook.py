@@ -126,7 +126,8 @@ class BackgroundRun:
             from pandas import DataFrame
         except ImportError as error:
             raise MissingToolError("pandas is not installed", fix="install it: pip install pandas") from error
-        answer = self.store().query("SELECT * FROM programs WHERE listed ORDER BY id")
+        with self.store() as store:
+            answer = store.query("SELECT * FROM programs WHERE listed ORDER BY id")
         return DataFrame(answer.rows, columns=list(answer.columns))
 
     def _repr_html_(self) -> str:

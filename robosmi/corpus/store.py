@@ -74,7 +74,17 @@ class Store:
     def __init__(self, place: str | Path, *, write: bool = False) -> None:
         self._write = write
         self._engine = self._opened(place)
-        self._check()
+        try:
+            self._check()
+        except BaseException:
+            self.close()
+            raise
+
+    def __enter__(self) -> Store:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
     def _opened(self, place: str | Path) -> Engine:
         if isinstance(place, str) and "://" in place:

@@ -166,8 +166,8 @@ def _query(arguments: _Arguments, report: Report) -> None:
 
     if arguments.csv and arguments.json:
         raise UsageError("--csv and --json are both given", fix="give one of them")
-    store = Store(store_place(arguments.output, arguments.store))
-    answer = store.query(arguments.sql)
+    with Store(store_place(arguments.output, arguments.store)) as store:
+        answer = store.query(arguments.sql)
     rows = [dict(zip(answer.columns, row, strict=True)) for row in answer.rows]
     report.result = {"columns": list(answer.columns), "rows": rows}
     report.lines = as_csv(answer) if arguments.csv else _table(answer.columns, answer.rows)
@@ -185,7 +185,8 @@ def _export(arguments: _Arguments, report: Report) -> None:
     from robosmi.corpus.running import store_place
     from robosmi.corpus.store import Store
 
-    written = export(Store(store_place(arguments.output, arguments.store)), arguments.into, arguments.form)
+    with Store(store_place(arguments.output, arguments.store)) as store:
+        written = export(store, arguments.into, arguments.form)
     report.artifacts = [{"path": str(path), "kind": arguments.form} for path in written]
     report.result = {"written": [str(path) for path in written]}
     report.lines = [f"wrote {len(written)} tables to {arguments.into}"]
@@ -196,7 +197,8 @@ def _report(arguments: _Arguments, report: Report) -> None:
     from robosmi.corpus.running import store_place
     from robosmi.corpus.store import Store
 
-    path = write_report(Store(store_place(arguments.output, arguments.store)), arguments.output, arguments.into)
+    with Store(store_place(arguments.output, arguments.store)) as store:
+        path = write_report(store, arguments.output, arguments.into)
     report.artifacts = [{"path": str(path), "kind": "page"}]
     report.result = {"path": str(path)}
     report.lines = [f"wrote {path}"]
@@ -207,8 +209,8 @@ def _compare(arguments: _Arguments, report: Report) -> None:
     from robosmi.corpus.running import store_place
     from robosmi.corpus.store import Store
 
-    found = compare(
-        Store(store_place(arguments.before, arguments.store_before)), Store(store_place(arguments.after, arguments.store))
-    )  # fmt: skip
+    places = store_place(arguments.before, arguments.store_before), store_place(arguments.after, arguments.store)
+    with Store(places[0]) as before, Store(places[1]) as after:
+        found = compare(before, after)
     report.result, report.lines = found.to_json(), comparison_lines(found)
     report.ok = not found.worse and not found.new_failures

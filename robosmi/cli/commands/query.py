@@ -103,7 +103,8 @@ def _over_corpus(arguments: _Arguments) -> Report:
         raise UsageError("a query over a corpus takes no further models", fix="omit --model, --metamodel and --driver")
     report = Report("query")
     out = arguments.model.absolute()
-    answers = list(query_models(Store(out / CORPUS), out, arguments.expression, kind=arguments.kind, jobs=cores()))
+    with Store(out / CORPUS) as store:
+        answers = list(query_models(store, out, arguments.expression, kind=arguments.kind, jobs=cores()))
     failed = sorted((answer for answer in answers if answer.error is not None), key=lambda answer: answer.program)
     if len(failed) == len(answers):
         raise UsageError(f"the expression has no value for any program: {failed[0].error}", fix="correct the expression")
