@@ -35,6 +35,8 @@ from robosmi.inputs import InputRejectedError
 from robosmi.plugins import content
 
 Send = Callable[[dict[str, Any]], None]
+_COLLECT = 100
+"""Programs after which all garbage is looked for; to look after each takes as long as half an analysis."""
 _FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
@@ -55,9 +57,12 @@ def main() -> None:
     gc.freeze()  # what is loaded by now stays
     gc.set_threshold(200_000, 20, 20)  # as a command does
     send({"ready": tool_version()})
+    count = 0
     while line := jobs.get():
         answer(line, send)
-        gc.collect()
+        count += 1
+        if count % _COLLECT == 0:
+            gc.collect()
 
 
 def _listen(jobs: SimpleQueue[bytes]) -> None:
