@@ -111,6 +111,10 @@ class MigratedSketch(Protocol):
         """Whether the files were written (not in a dry run)."""
 
     @property
+    def open_choices(self) -> int:
+        """How many choices are left to a person."""
+
+    @property
     def verification(self) -> tuple[Mapping[str, Json], int] | None:
         """The comparison with the original in the contract's form, and its exit code; None if none was requested."""
 
@@ -366,12 +370,12 @@ def compile_sketch(sketch: str | Path, board: str | None = None, output: str | P
     return compile_into(Path(sketch), board, into=Path(output))
 
 
-def upload_sketch(sketch: str | Path, port: str, **options: Unpack[UploadOptions]) -> UploadReport:
+def upload_sketch(sketch: str | Path, port: str | None = None, **options: Unpack[UploadOptions]) -> UploadReport:
     """Put the compiled program of a sketch on the board at a port.
 
     Args:
         sketch: the output folder, or the sketch's own.
-        port: the serial port, as the system calls it.
+        port: the serial port, as the system calls it, or the folder of the board's drive; None where the tool finds the board.
         **options: see `UploadOptions`.
 
     Returns:

@@ -217,6 +217,35 @@ PROGRAMS: dict[str, tuple[Callable[[int], str], int]] = {
         ),
         2000,
     ),
+    "values of one variable": (
+        lambda n: "int main(void) { int u;\n" + "u = input(2); freqout(4, 5, u);\n" * n + "}\n",
+        3000,
+    ),
+    "values that go round": (
+        lambda n: (
+            "int main(void) { int x = 3, y;\n"
+            + "x = y; y = x;\n" * n
+            + "".join(f"int z{i}; z{i} = x; pause(z{i});\n" for i in range(n))
+            + "}\n"
+        ),
+        1500,
+    ),
+    "masks of masks": (
+        lambda n: (
+            "int main(void) { int x0 = input(3) & 7;\n"
+            + "".join(f"int x{i}; x{i} = x{i - 1} | x{i - 1}; x{i} = x{i - 1};\n" for i in range(1, n))
+            + f"OUTA |= x{n - 1}; OUTA &= ~x{n - 1}; OUTA |= 1 << x{n - 1}; }}\n"
+        ),
+        1700,
+    ),
+    "masks that go round": (
+        lambda n: (
+            f"int main(void) {{ int x{n - 1}, x0 = 3; x0 = x{n - 1};\n"
+            + "".join(f"int x{i}; x{i} = x{i - 1} ? x{i - 1} : x{i - 1}; x{i} = x{i - 1};\n" for i in range(1, n - 1))
+            + f"x{n - 1} = x{n - 2}; OUTA |= x{n - 1}; OUTA &= ~x{n - 1}; pause(x{n - 1}); }}\n"
+        ),
+        1500,
+    ),
     "products": (
         lambda n: "int f(int x) {" + "".join(f"x = x * {i} + (x << 3);\n" for i in range(n)) + " return x; }\n" + _MAIN,
         3000,

@@ -30,7 +30,7 @@ from robosmi.corpus import memory
 from robosmi.corpus.digests import digest_of, tool_version
 from robosmi.corpus.jobs import ProgramJob, ProgramStep, Row
 from robosmi.corpus.states import DONE, FAILED, SKIPPED, TOO_LARGE
-from robosmi.errors import MissingToolError, RobosmiError
+from robosmi.errors import MissingToolError, RobosmiError, TooLargeError
 from robosmi.inputs import InputRejectedError
 from robosmi.plugins import content
 
@@ -169,7 +169,7 @@ def state_of(error: BaseException) -> str:
     for each in causes(error):
         if isinstance(each, MissingToolError) or (isinstance(each, OSError) and each.errno in _FULL):
             return SKIPPED
-        if isinstance(each, MemoryError) or (isinstance(each, InputRejectedError) and each.errno == errno.EFBIG):
+        if isinstance(each, (MemoryError, TooLargeError)) or (isinstance(each, InputRejectedError) and each.errno == errno.EFBIG):
             return TOO_LARGE
     return FAILED
 

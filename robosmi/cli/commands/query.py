@@ -69,7 +69,7 @@ def run(arguments: _Arguments) -> Report:
     from robosmi.model.emf import EmfModel
     from robosmi.model.opening import open_model
     from robosmi.query.answers import as_json, as_lines
-    from robosmi.query.expression import evaluate
+    from robosmi.query.expression import evaluate, named_queries
     from robosmi.query.models import ModelView
     from robosmi.query.run import Run
 
@@ -88,7 +88,7 @@ def run(arguments: _Arguments) -> Report:
     views = [ModelView(model) for model in models]
     shown = Shown()
     with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's
-        value = evaluate(arguments.expression, views, as_json)
+        value = evaluate(arguments.expression, views, as_json, named_queries())
     report.result, report.lines = {"value": value}, as_lines(value)
     return report
 

@@ -15,6 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
 from robosmi.files.external_files import ExternalFiles
@@ -32,8 +33,9 @@ from robosmi.transformations.chains.stages.written_output import checked, chosen
 from robosmi.transformations.m2t.first_screen import Counted, counted
 from robosmi.transformations.m2t.program_files import BENCH, report_file
 from robosmi.transformations.m2t.terminal_text import terminal_lines
-from robosmi.transformations.queries.plans.plan import as_findings, open_choices, plan_json
+from robosmi.transformations.queries.plans.plan import as_findings, move_json, open_choices, plan_json
 from robosmi.transformations.queries.reports.work import work_json
+from robosmi.transformations.verification.judgement.stored_verdict import SEVERITIES
 
 KINDS = {
     **dict.fromkeys((".ino", ".cpp", ".c"), "sketch"),
@@ -55,7 +57,7 @@ class Generated(Struct):
         new_choices: libraries that a person chose and that no earlier run into this folder has counted.
         notes: findings of this run that are not the plan's.
         verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
-        diff: what a dry run would change, or what was changed where that was asked for; else empty.
+        changes: relative path -> how the file changed, or would in a dry run; empty unless that was asked for.
         counted: what was counted of the plan for its report.
         program: the files of the program as generated, without edits.
     """
@@ -67,9 +69,14 @@ class Generated(Struct):
     new_choices: list[migration.LibraryChoice] = []
     notes: list[Finding] = []
     verification: tuple[dict[str, Json], int] | None = None
-    diff: str = ""
+    changes: dict[str, str] = {}
     counted: Counted | None = None
     program: Generation | None = None
+
+    @property
+    def diff(self) -> str:
+        """All changes as one text."""
+        return "\n".join(self.changes.values())
 
     @property
     def sketch(self) -> Path:
@@ -77,9 +84,23 @@ class Generated(Struct):
         return self.output / self.models.plan.name
 
     @property
+    def open_choices(self) -> int:
+        """How many choices are left to a person."""
+        return len(open_choices(self.models.plan))
+
+    @property
     def findings(self) -> list[Finding]:
-        """The plan's findings, and those of this run alone."""
-        return Findings([*as_findings(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
+        """The plan's findings, and those of this run alone.
+
+        What an earlier comparison found out about the sketch is a warning at most: this run did not fail.
+        """
+        planned = as_findings(Q(self.models.plan.findings), self.models.places)
+        if self.verification is None:
+            planned = [
+                replace(each, severity=min(each.severity, Severity.warning)) if each.rule in SEVERITIES else each
+                for each in planned
+            ]
+        return Findings([*planned, *self.models.notes, *self.notes])
 
     def tasks(self) -> list[Finding]:
         """The plan's tasks."""
@@ -92,7 +113,7 @@ class Generated(Struct):
         made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
         done = "made" if self.written else "to generate"
         view = f"{element_html(self.models.plan)}{findings_html(self.findings)}"
-        return f"{view}<details><summary>{len(self.contents)} files {done}</summary><ul>{made}</ul></details>"
+        return f"{view}<details><summary>{quantity(len(self.contents), 'file')} {done}</summary><ul>{made}</ul></details>"
 
     def result(self) -> dict[str, Any]:
         """The contract's result."""
@@ -101,6 +122,8 @@ class Generated(Struct):
             "sketch": str(self.sketch),
             "written": self.written,
         }
+        if (moved := move_json(self.models.plan)) is not None:
+            made["moved"] = moved
         if not self.written:
             made["diff"] = self.diff
         return made if self.verification is None else made | {"verification": self.verification[0]}
@@ -178,10 +201,10 @@ def produce(
             refuse_others(done, writing)
         if not dry_run:
             commit(done, writing, inputs or {}, outside, amending=report_only)
-    changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else ""
+    changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else {}
     new = [choice for key, choice in chosen_by_persons(models.plan).items() if key not in done.folder.manifest.choices]
     return Generated(
-        models, output, writing.every, not dry_run, new, done.kept.findings, diff=changes, counted=known, program=done.program
+        models, output, writing.every, not dry_run, new, done.kept.findings, changes=changes, counted=known, program=done.program
     )
 
 

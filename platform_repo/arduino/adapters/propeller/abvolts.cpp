@@ -1,6 +1,6 @@
 //# header abvolts.h
 // Voltages of the ActivityBot's board, in and out. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Convert/libabvolts (abvolts.h, abvolts.c, abvoltsF.c, abvoltsDA.c, daVolts.c).
-// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the Uno's own is used, with 10 bits.
+// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the microcontroller's own is used.
 
 //# helper ad_pins
 //#   port: ad_0 = abvolts.channel_0 0 analog in

@@ -749,7 +749,16 @@ inline uint8_t *cog_frame(uint8_t *top, void (*code)()) {  // what the stack poi
   return (uint8_t *)(frame - 9);
 }
 
+//# helper cog_delay
+//#   fidelity: the core's delay() sleeps, and so would all other cogs; it is weak there
+extern "C" inline __attribute__((used)) void delay(unsigned long ms) {
+  for (uint32_t begun = micros(); ms; yield()) {
+    for (; ms && micros() - begun >= 1000; ms--) begun += 1000;
+  }
+}
+
 //# helper cog_switch
+//#   needs: cog_delay
 extern "C" void cog_switch(uint8_t **save, uint8_t *load) __attribute__((naked, noinline, used, weak));
 void cog_switch(uint8_t **, uint8_t *) {
   asm volatile(
