@@ -80,6 +80,7 @@ GROUPS = {
     "models": {
         "query": "query a model of any technology",
         "run": "run the steps of a chain that have changed",
+        "corpus": "run many programs and collect their results in tables",
         "metamodels": "export the metamodels, or generate Python packages from one",
     },
     "data": {
@@ -331,6 +332,7 @@ EXAMPLES = {
     "adapters": "robosmi adapters save out --as project",
     "history": "robosmi history export choices.csv",
     "libraries": "robosmi libraries import installed/libraries",
+    "corpus": "robosmi corpus run corpus.toml -o results --steps analyse,migrate",
     "run": "robosmi run chain.toml --dry-run",
     "query": 'robosmi query out/models/plan.xmi "PortBinding.all.select(lambda b: b.open).name"',
     "parts": "robosmi parts import parts-folder",
