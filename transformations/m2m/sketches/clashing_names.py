@@ -24,7 +24,11 @@ def clashing_names(sketch: MovedSketch) -> Iterator[SketchEdit]:
     found: dict[str, list[Named]] = {}
     for view in sketch.views:
         for declared in view.unit.declarations:
-            if isinstance(declared, (ccode.Function, ccode.Variable)) and declared.name in clashes and "::" not in _head(declared):
+            if (
+                isinstance(declared, (ccode.Function, ccode.Variable))
+                and declared.name in clashes
+                and "::" not in _head(declared)
+            ):
                 found.setdefault(str(declared.name), []).append(declared)
     words = {word for data in sketch.sources.values() for _, _, word in name_tokens(data)} if found else set()
     for name, declarations in found.items():
@@ -61,5 +65,9 @@ def _uses(declared: Named) -> list[ccode.Located]:
 def _in_macros(name: str, new: str, data: bytes) -> Iterator[Replacement]:
     for kind, start, _, text in tokens(data):
         if kind == "directive" and text.lstrip("# \t").startswith("define"):
-            inner = [(first, last) for first, last, word in name_tokens(data[start : start + len(text.encode("latin-1"))]) if word == name]
+            inner = [
+                (first, last)
+                for first, last, word in name_tokens(data[start : start + len(text.encode("latin-1"))])
+                if word == name
+            ]
             yield from (Replacement(start + first, start + last, new) for first, last in inner)

@@ -412,9 +412,7 @@ class FlowReader:
         pins = self.constructor_pins(name, view, list(made.arguments))
         return bool(own) or any(pin.position == position for pin in pins)
 
-    def constructor_pins(
-        self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()
-    ) -> Sequence[PinParameter]:
+    def constructor_pins(self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()) -> Sequence[PinParameter]:
         """The parameters of a class's constructors that are pins for the platform or for a library; none for an own class.
 
         Of a class that nobody knows, those are taken for pins whose arguments are called so.
@@ -639,7 +637,9 @@ class Initialisers:
         return self._written[variable]
 
 
-def initialised_constant(literal: ccode.IntegerLiteral | ccode.NameReference, known: Initialisers) -> tuple[str, str, ccode.Located]:
+def initialised_constant(
+    literal: ccode.IntegerLiteral | ccode.NameReference, known: Initialisers
+) -> tuple[str, str, ccode.Located]:
     """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
 
     The names are empty, and the element is the literal, where the literal initialises no constant.

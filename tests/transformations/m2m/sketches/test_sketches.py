@@ -54,7 +54,16 @@ def test_a_sketch_needs_no_edit_on_a_board_with_the_same_pins(name: str, target:
 
 
 def test_every_place_of_a_pin_changes_with_its_port(tmp_path: Path) -> None:
-    said = {"BUZZER": "GP15", "D7": "GP2", "3": "GP3", "D5": "GP17", "RED": "GP19", "D12": "GP20", "A3": "GP21", "D13": "LED_BUILTIN"}
+    said = {
+        "BUZZER": "GP15",
+        "D7": "GP2",
+        "3": "GP3",
+        "D5": "GP17",
+        "RED": "GP19",
+        "D12": "GP20",
+        "A3": "GP21",
+        "D13": "LED_BUILTIN",
+    }
     outcome = migrated("pins", tmp_path, *(word for port, pin in said.items() for word in ("--bind", f"{port}={pin}")))
     assert outcome.code == 0
     made = changed(tmp_path, "pins")
