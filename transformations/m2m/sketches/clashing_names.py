@@ -36,7 +36,7 @@ def clashing_names(sketch: MovedSketch) -> Iterator[SketchEdit]:
         while new in words:
             new += "_"
         reason = f"the core of the board declares '{name}', too"
-        places: dict[int, tuple[ccode.Located, set[Replacement]]] = {}
+        places: dict[int, tuple[ccode.Located | ccode.SourceUnit, set[Replacement]]] = {}
         for element in (e for declared in declarations for e in (declared, *_uses(declared))):
             unit = ancestor_of_kind(element, ccode.SourceUnit)
             if unit is None:
