@@ -57,7 +57,7 @@ def initialised_constant(
             if index is not None or numbers is None:
                 return "", "", literal
             index = numbers[inner]
-        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
+        inner, outer = outer, outer.eContainer()
     if not isinstance(outer, ccode.Variable):
         return "", "", literal
     function = ancestor_of_kind(outer, ccode.Function)

@@ -97,9 +97,9 @@ def _numbered_as_pins(flow: Flow) -> bool:
         structs.replace(place, value=number) if number is not None else place
         for place, number in zip(flow.places, meant, strict=True)
     ]
-    given = {"numbering": numbered[0].numbering, "numbers": numbered[0].numbers}
+    kind, numbers = numbered[0].numbering, numbered[0].numbers
     flow.arguments = [
-        argument if argument.parameter.numbering else structs.replace(argument, parameter=argument.parameter._replace(**given))
+        structs.replace(argument, parameter=argument.parameter._replace(numbering=kind, numbers=numbers))
         for argument in flow.arguments
     ]
     return True
