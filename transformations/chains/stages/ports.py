@@ -20,7 +20,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.ports.port_binding import UserPins, bind_ports
-from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard, propose_pins
+from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard, bind_same_pins, propose_pins
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.plan_adapters import closure
@@ -63,6 +63,8 @@ def bindings(
     made = bind_ports(asked, api, source, connections, board, said, limit, kept, split)
     if new_board is not None and drawing is None:
         propose_pins(asked.ports, made, new_board)
+    elif new_board is not None:
+        bind_same_pins(asked.ports, made, new_board, connections)
     return made
 
 
