@@ -16,7 +16,7 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import UsageError
 from robosmi.files.commit import again_when_changed
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
@@ -27,7 +27,9 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
+from robosmi.transformations.chains.kept_program import KeptProgram, kept_program, new_board
 from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
+from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
 from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
@@ -37,7 +39,13 @@ from robosmi.transformations.chains.stages.moving import Moving, merged_choices
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
 from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
 from robosmi.transformations.chains.stages.ports import bindings, pins_of_project, pins_to_choose, ports
-from robosmi.transformations.chains.stages.program import ProgramFiles, StoredProgram, program_files, stored_program
+from robosmi.transformations.chains.stages.program import (
+    ProgramFiles,
+    StoredProgram,
+    library_headers,
+    program_files,
+    stored_program,
+)
 from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files
 from robosmi.transformations.chains.stages.sources import remember_sources
 from robosmi.transformations.chains.stages.widths import FIX, KEEP, widened
@@ -55,9 +63,11 @@ from robosmi.transformations.m2m.circuits.motor_channels import drawn_kinds
 from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, judge_program, put_together
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
-from robosmi.transformations.m2m.plan_tasks import plan_findings
+from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
 from robosmi.transformations.m2m.ports.port_texts import looked_up
+from robosmi.transformations.m2m.sketches.kept_platform import place_findings
 from robosmi.transformations.m2m.widths.widths import Widened, lost_findings, text_findings
+from robosmi.transformations.queries.library_pins import LibraryPins
 from robosmi.transformations.queries.plans.plan import binding_json, library_json
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.ports.ports import ProgramPorts
@@ -76,11 +86,12 @@ def migration_chain() -> Chain:
     A step can be replaced by its name (`Chain.replace`) with a function of whatever values it needs that returns the same.
     """
     chain = Chain(None, "migrate")
-    chain.given(*GIVEN, ranker_name=None, bench=False, stored=None)
+    chain.given(*GIVEN, from_board=None, ranker_name=None, bench=False, stored=None)
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(target, makes="target", step="look up the target")
+    chain.call(source_board, makes="source_board", step="look up the source board")
     chain.call(source_api, makes="api", step="look up the source platform")
-    chain.call(program_files, makes="program_files", step="find the program's files")
+    chain.call(files_of_program, makes="program_files", step="find the program's files")
     chain.call(program, makes="program", step="read the program")
     chain.call(drawing, makes="drawing", step="read the drawing")
     chain.call(board, makes="board", step="look up the board")
@@ -88,8 +99,10 @@ def migration_chain() -> Chain:
     chain.call(make_ranker, makes="ranker", step="load the ranker")
     chain.call(previous_choices, makes="earlier", step="open the history")
     chain.call(ports, makes="ports", step="follow the program's ports")
+    chain.call(kept_program, makes="kept", step="find what behaves differently on another board")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
     chain.call(widenings, makes="widenings", step="keep the widths of numbers")
+    chain.call(new_board, makes="new_board", step="look up the pins of the new board")
     chain.call(bindings, makes="bindings", step="bind ports to pins")
     chain.call(library_decisions, makes="library_decisions", step="choose libraries")
     chain.call(models, makes="models", step="put the plan together")
@@ -104,23 +117,59 @@ def settings(files: Sequence[str | Path], project: Project | None) -> Project:
     return project if project is not None else project_of(Path(files[0]))
 
 
-def source_api(files: Sequence[Path], source_platform: str | None, settings: Project, target: TargetFacts) -> ApiIndex:
-    """What is known of the platform that the program was written for, with the pins that adapters of the target declare.
+def source_api(
+    files: Sequence[Path],
+    source_platform: str | None,
+    settings: Project,
+    target: TargetFacts,
+    source_board: SourceBoard | None,
+) -> ApiIndex:
+    """What is known of the platform that the program was written for, with its board, or with the pins that adapters declare.
 
     Raises:
-        UsageError: there is no such platform.
-        SourceError: it is a platform whose programs are sketches, which cannot be moved yet.
+        UsageError: there is no such platform, or its programs cannot be moved to the target.
     """
-    name = source_platform or settings.source_platform or platform_of_files([Path(file) for file in files])
-    check_source_platform(name)
-    api = ApiIndex.load(name)
+    api = ApiIndex.load(_source_platform(files, source_platform, settings))
+    name = api.name
+    if target.platform == name:
+        here = api.on_board(source_board.pins) if source_board is not None else api
+        return here.adapted(LibraryPins(library_headers([Path(file) for file in files], api), target.libraries))
     if api.sketch is not None:
-        raise SourceError(
-            f"migrate cannot move programs of '{name}' yet",
-            location=Location(str(files[0])),
-            fix=f"run robosmi analyse {files[0]} --target {target.target}: it lists the places that may behave differently there",
+        raise UsageError(
+            f"programs of '{name}' cannot be moved to the target '{target.target}', whose platform is '{target.platform}'",
+            fix="give a board of the same platform as --target; robosmi targets lists them",
         )
     return api.adapted(AdapterPins(adapter_files_of(settings, target, api)))
+
+
+def _source_platform(files: Sequence[Path], source_platform: str | None, settings: Project) -> str:
+    name = source_platform or settings.source_platform or platform_of_files([Path(file) for file in files])
+    check_source_platform(name)
+    return name
+
+
+def source_board(
+    files: Sequence[Path], source_platform: str | None, from_board: str | None, settings: Project, target: TargetFacts
+) -> SourceBoard | None:
+    """The board that the program runs on today; None on a platform that does not tell its boards apart.
+
+    Raises:
+        UsageError: there is no such platform or board.
+    """
+    api = ApiIndex.load(_source_platform(files, source_platform, settings))
+    return find_source_board([Path(file) for file in files], api, from_board or settings.source_board, target.target)
+
+
+def files_of_program(
+    files: Sequence[str | Path],
+    include_dirs: Sequence[Path],
+    defines: Sequence[str],
+    api: ApiIndex,
+    source_board: SourceBoard | None,
+) -> ProgramFiles:
+    """The files of the program, with the macros of its board; see `program_files`."""
+    of_board = source_board.defines if source_board is not None else ()
+    return program_files(files, include_dirs, [*of_board, *defines], api)
 
 
 def target(target_name: str | None, settings: Project) -> TargetFacts:
@@ -195,6 +244,7 @@ def judgement(
     widths: str | None,
     settings: Project,
     drawing: StoredDrawing | None,
+    kept: KeptProgram | None,
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), and which adapters fill its calls.
 
@@ -202,6 +252,8 @@ def judgement(
         UsageError: adapters are neither filled nor placeholders.
         PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
     """
+    if kept is not None:
+        return kept.judged
     how = adapters or default_text("migrate", "adapters")
     target.reserve_names_of(board)
     index = api.adapters.index if api.adapters is not None else None
@@ -225,8 +277,11 @@ def widenings(
     api: ApiIndex,
     target: TargetFacts,
     widths: str | None,
+    kept: KeptProgram | None,
 ) -> Widened:
     """The changes by which the program's numbers keep the widths that they have on the source."""
+    if kept is not None:
+        return Widened()
     return widened(program, program_files, judgement[0], api, target, widths)
 
 
@@ -247,9 +302,12 @@ def models(
     bind: Mapping[str, str],
     libraries: Mapping[str, str],
     stored: StoredChoices | None,
+    source_board: SourceBoard | None,
+    kept: KeptProgram | None,
 ) -> MigrationModels:
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
+    findings += source_board.findings if source_board is not None else []
     if drawing is not None:
         set_rest_levels(drawing.hardware.connections)
         set_servo_trims(drawing.hardware.connections, bindings, settings.servos)
@@ -257,8 +315,8 @@ def models(
         places[drawing.given] = drawing.copy
         files.update(drawing.files)
     else:
-        message = "no drawing given: ports and libraries stay open"
-        findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))
+        left = "ports and libraries stay open" if kept is None else "what the new board is wired to is not known"
+        findings.append(Finding("RS210", Severity.info, f"no drawing given: {left}", fix="give --hardware SKETCH"))
     if settings.libraries and not target.libraries:
         message = f"the target '{target.target}' has no libraries; the project file's libraries are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))
@@ -278,6 +336,9 @@ def models(
         set_console_wait(emitted(plan), settings.console_wait_ms)
     said_pins = pins_of_project(settings, target).pins
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": said_pins, "libraries": settings.libraries}
+    if kept is not None:
+        plan.findings.extend(plan_findings(plan, place_findings(kept.left, plan, files), places))
+        settle_tasks(plan)
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))
     circuit = drawing.hardware.circuit if drawing is not None else None
@@ -295,6 +356,7 @@ def plan_migration(
     hardware: str | Path | None = None,
     target: str | None = None,
     source_platform: str | None = None,
+    source_board: str | None = None,
     include_dirs: Sequence[Path] = (),
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
@@ -315,6 +377,7 @@ def plan_migration(
         hardware: drawing of the new hardware; the project file's if None.
         target: target board.
         source_platform: platform that the program was written for.
+        source_board: board that the program runs on today; if None that of the project file, of its drawing, or the usual one.
         include_dirs: folders with headers.
         defines: macros defined from outside.
         libraries: component -> library, before the project file.
@@ -333,8 +396,8 @@ def plan_migration(
     """
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench, ranker_name=ranker, stored=NOTHING,
+        from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {},
+        adapters=adapters, history=history, widths=widths, bench=bench, ranker_name=ranker, stored=NOTHING,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         return run.value("models", MigrationModels)
@@ -356,6 +419,7 @@ def migrate(
     hardware: str | Path | None = None,
     target: str | None = None,
     source_platform: str | None = None,
+    source_board: str | None = None,
     include_dirs: Sequence[Path] = (),
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
@@ -379,7 +443,7 @@ def migrate(
         output: the output folder.
         dry_run: write nothing.
         strict: stop when a choice is open.
-        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
+        project, hardware, target, source_platform, source_board, include_dirs, defines, libraries, bind, adapters, history,
             widths, ranker, bench, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
@@ -398,7 +462,7 @@ def migrate(
     stored = adopted.choices if moved is None else merged_choices(adopted.choices, moved.carried.choices)
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
+        from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
         history=history, widths=widths, bench=bench, ranker_name=ranker, stored=stored,
     )  # fmt: skip
     with project_of_input(files[0]):
@@ -425,6 +489,7 @@ def migrate(
         told |= {
             "target": target,
             "source_platform": source_platform,
+            "source_board": source_board,
             "defines": list(defines),
             "adapters": adapters,
             "ranker": ranker,

@@ -60,6 +60,9 @@ class PortSettings(TypedDict, total=False):
     own: dict[str, str]
     mirrored: list[str]
     discharges: list[str]
+    interrupt_of: str
+    abilities: dict[str, str]
+    buses: dict[str, list[str]]
 
 
 class RegisterSettings(TypedDict, total=False):
@@ -124,6 +127,7 @@ class PinOfParameter(TypedDict, total=False):
     span: int
     count: int
     none: list[str]
+    numbering: str
 
 
 class PinOfConvention(TypedDict, total=False):

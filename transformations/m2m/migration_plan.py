@@ -26,10 +26,11 @@ from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten, settle_lists
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
-from robosmi.transformations.m2m.ports.port_texts import port_changes
+from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, port_changes
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_pins
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import SourceText, words_of
@@ -214,12 +215,15 @@ def put_together(
         connections=connections,
         motorChannels=list(d.drawn.motor_channels) if d.drawn else [],
         portBindings=list(d.bindings),
-        portFlows=port_changes(d.ports, d.bindings, d.files, arrays=any(h.name == "ports" for h in d.dependence.helpers)),
         libraryChoices=list(d.choices),
         adapterUses=d.dependence.adapters,
         symbolUses=d.dependence.symbols,
         helpers=d.dependence.helpers,
     )
+    arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
+    plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=kept_pins(plan)))
+    if keeps_platform(plan):
+        explicit_enumerators(plan, d.files)
     settle_libraries(plan)
     close_idle_choices(plan)
     settle_lists(plan, [SourceText(u, d.files[u.path], ()) for u in plan.program.units] if plan.program else [])

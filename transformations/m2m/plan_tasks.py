@@ -23,16 +23,20 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.plans.kept_pins import lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, bound_pin
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, bound_pin, source_name
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
+from robosmi.transformations.queries.portability.analysed_program import DIFFERS
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.transformations.queries.source_text import SourceText
 
 _BARE_KEY = re.compile(r"[\w-]+")
 """A TOML key that needs no quotation marks."""
+WIRING = "RS347"
+"""The rule of the task to approve a proposed wiring."""
 Task = migration.PlanTask
 Level = migration.SeverityLevel
 
@@ -127,7 +131,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.open = not choice
 
 
-DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE})
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE, DIFFERS, WIRING})
 """Rules whose tasks follow from decisions and are derived anew when a decision changes."""
 
 
@@ -213,7 +217,7 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
     for binding in plan.portBindings:
         if not binding.open:
             continue
-        others = [*binding.names, *([f"P{binding.sourcePin}"] if binding.sourcePin >= 0 and not binding.names else [])]
+        others = [*binding.names, *([source_name(binding)] if binding.sourcePin >= 0 and not binding.names else [])]
         others = [name for name in others if name != binding.name]
         pin = f" ({', '.join(others)})" if others and binding.origin != "convention" else ""
         what = f", {binding.what}," if binding.what else ""
@@ -231,6 +235,18 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
             elements=[binding],
             **_place(binding.element),  # type: ignore[arg-type]
         )
+
+
+def _proposed(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """The task to approve the pins that are proposed without a drawing."""
+    found = proposed(plan)
+    if found:
+        shown = ", ".join(f"{b.name}{f' ({source_name(b)})' * (b.name != source_name(b))} on {b.choice}" for b in found)
+        yield Task(
+            rule=WIRING, severity=Level.warning, effort="small", message=f"check the proposed wiring, and wire it so: {shown}",
+            fix='other pins with --bind NAME=PIN, or [bind] NAME = "PIN" in robosmi.toml; tick this when it is right',
+            elements=[*found], **_place(found[0].element),  # type: ignore[arg-type]
+        )  # fmt: skip
 
 
 def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -290,6 +306,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Tasks for text that is not valid C (or C++, if the target needs it): it is carried over for a person to mend."""
+    unlost = lost_pin_calls(plan)
     for finding in plan.findings:
         if finding.rule == "RS101":
             yield Task(
@@ -302,7 +319,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 line=finding.line,
                 column=finding.column,
             )
-        elif finding.rule == "RS102":
+        elif finding.rule == "RS102" and (unlost is None or (str(finding.path), int(finding.line)) in unlost):
             yield Task(
                 rule="RS504", severity=Level.warning, effort="small", message=f"write what could not be read: {finding.message}",
                 fix=finding.fix, path=finding.path, line=finding.line, column=finding.column,
@@ -326,6 +343,16 @@ def _pins(plan: migration.MigrationPlan) -> Iterator[Task]:
         if finding.rule == PIN_RULE:
             yield Task(
                 rule=PIN_RULE, severity=Level.warning, effort="small", message=f"write the right pin: {finding.message}",
+                fix=finding.fix, path=finding.path, line=finding.line, column=finding.column, elements=[*finding.elements],
+            )  # fmt: skip
+
+
+def _different(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Tasks for places that behave differently on the target board, and that no rule changes."""
+    for finding in plan.findings:
+        if finding.rule == DIFFERS:
+            yield Task(
+                rule=DIFFERS, severity=Level.warning, effort="small", message=f"adapt it to the board: {finding.message}",
                 fix=finding.fix, path=finding.path, line=finding.line, column=finding.column, elements=[*finding.elements],
             )  # fmt: skip
 
@@ -360,5 +387,6 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _pins, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _proposed, _libraries, _unsupported, _assembler, _pins, _different,
+    _unused,
 )  # fmt: skip

@@ -26,10 +26,12 @@ from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, separate_placeholders, with_own_types
 from robosmi.transformations.m2t.first_screen import Counted
+from robosmi.transformations.m2t.kept_text import MOVED_PINS, kept_parts, moved_pins
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.circuits.connector_names import wire_name
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceText, is_header
@@ -52,6 +54,7 @@ class ProgramTemplates(Struct, frozen=True):
         project_file: name of the project file.
         more: further project files for other tools: name -> template.
         bench: template of the sketch that tests components on the bench; empty for a target without one.
+        pins: template of the header in which a program whose platform stays looks up pins; empty for a target without one.
     """
 
     unit: str
@@ -61,6 +64,7 @@ class ProgramTemplates(Struct, frozen=True):
     project_file: str
     more: Mapping[str, str] = {}
     bench: str = ""
+    pins: str = ""
 
 
 def program_files(
@@ -84,24 +88,27 @@ def program_files(
         raise UsageError(f"the target '{name}' has no sketch for the bench", fix=fix)
     g = Gen()
     assert plan.program is not None
+    kept = keeps_platform(plan)
     late, changes = with_own_types(plan), all_changes(plan)
     texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
 
     @g.rule(
         domain=plan.program.units,
-        template=lambda u: templates.header if is_header(u) else templates.unit,
+        template=lambda u: templates.header if kept or is_header(u) else templates.unit,
         target=lambda u: f"{plan.name}/{file_name(u, plan)}",
     )
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         text = texts[unit]
+        if kept:
+            return {"code": kept_parts(text)}
         return (
             own_header(plan, text)
             if is_header(unit)
             else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late, texts)}
         )
 
-    @g.rule(template=templates.adapters, target=f"{plan.name}/{ADAPTERS_FILE}")
-    def Adapters() -> dict[str, Any]:
+    @g.rule(domain=[] if kept else [plan], template=templates.adapters, target=f"{plan.name}/{ADAPTERS_FILE}")
+    def Adapters(_: migration.MigrationPlan) -> dict[str, Any]:
         listed = adapters(plan, separate_placeholders(plan))
         return {
             "plan": plan,
@@ -110,6 +117,12 @@ def program_files(
             "adapters": [a for a in listed if a.use not in late],
             "renamed": [use for use in plan.adapterUses if use.targetName not in ("", use.name)],
         }
+
+    looked_up = [plan] if kept and looks_up_ports(plan) else []
+
+    @g.rule(domain=looked_up, template=templates.pins, target=f"{plan.name}/{MOVED_PINS}")
+    def MovedPins(_: migration.MigrationPlan) -> dict[str, Any]:
+        return {"plan": plan, **moved_pins(plan)}
 
     @g.rule(template=templates.project, target=f"{plan.name}/{templates.project_file}")
     def Project() -> Mapping[str, Json]:

@@ -18,15 +18,26 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
+from robosmi.query import all_of_kind
+from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
+from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
-from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, text_in_place
+from robosmi.transformations.queries.macros.tokens import name_tokens
+from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, OF_INTERRUPT, KeptPins
+from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, bound_pin, text_in_place
 from robosmi.transformations.queries.ports.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.values import Value
 
 RULE = "port"
 """Id of the rule that replaces a port's number by a pin."""
+MOVES = frozenset({RULE, AS_WRITTEN, OF_INTERRUPT})
+"""Ids of the rules of the places where a port's number is written."""
 LOOK_UP = "port-look-up"
 """Id of the rule that looks up a port's pin where the port is passed to a platform function."""
+OWN_NUMBER = "number-of-source"
+"""Id of the rule that writes a constant of the source board as the number that it is there."""
+SAME_NUMBERS = "its numbers mean the same pins on the target"
+"""The reason of a flow whose numbers stay, and are not looked up."""
 NEXT = "enumerator-after-port"
 """Id of the rule that keeps the value of an enumerator that follows a replaced one."""
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -34,7 +45,12 @@ _REASONS = 4
 
 
 def port_changes(
-    ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], *, arrays: bool = False
+    ports: ProgramPorts,
+    bindings: Sequence[migration.PortBinding],
+    sources: Mapping[str, bytes],
+    *,
+    arrays: bool = False,
+    kept: KeptPins | None = None,
 ) -> list[migration.PortFlow]:
     """Make the flows of a plan, and the text changes of flows and bindings.
 
@@ -45,6 +61,7 @@ def port_changes(
         bindings: the decision for each port; their changes are set here.
         sources: path of a unit -> its bytes.
         arrays: whether the target has a helper that looks up arrays of ports.
+        kept: the pins of both boards for a program whose platform stays; None for any other.
     """
     numbers = {b.sourcePin: b for b in bindings if b.sourcePin >= 0 and b.origin != "convention"}
     for binding in bindings:
@@ -56,11 +73,15 @@ def port_changes(
         if each.moved:
             for place in _distinct(each.flow.places):
                 if place.value in numbers:
-                    changed = [_moved(place, numbers[place.value], sources), *_next(place, moved, sources)]
+                    following = _next(place, moved, sources) if kept is None else []
+                    changed = [_moved(place, numbers[place.value], sources, kept), *following]
                     numbers[place.value].changes.extend(changed)
             changes: list[migration.TextChange] = []
-        else:
+        elif kept is not None and _alike(each, numbers, kept):
+            each.flow.kept.insert(0, SAME_NUMBERS)
             changes = []
+        else:
+            changes = list(_own_numbers(each, sources, kept)) if kept is not None else []
             looked: set[tuple[str, int, int]] = set()
             for argument, known in zip(each.flow.arguments, each.values, strict=True):
                 changes += shut.pop(id(argument.call), []) if argument.unplaced else []
@@ -75,6 +96,71 @@ def port_changes(
         if each.numbers or changes or any(True for _ in each.calls):
             found.append(_flow(each, changes, numbers))
     return found
+
+
+def _own_numbers(each: FlowPorts, sources: Mapping[str, bytes], kept: KeptPins) -> Iterator[migration.TextChange]:
+    """Write the numbers of the source board in the place of its constants, where they get into a flow that is looked up."""
+    ranges = [(unit, int(e.startOffset), int(e.endOffset)) for unit, e in (*each.flow.calculated, *each.flow.given)]
+    ranges += [(place.unit, place.start, place.end) for place in each.flow.places]
+    done: set[tuple[str, int]] = set()
+    for unit, start, end in ranges:
+        for first, last, name in name_tokens(sources[unit.path][start:end]):
+            number, at = kept.constants.get(name), (str(unit.path), start + first)
+            if number is None or at in done:
+                continue
+            done.add(at)
+            yield migration.TextChange(
+                unit=unit, startOffset=at[1], endOffset=start + last, replacement=str(number), rule=OWN_NUMBER,
+                reason=f"{name} is {number} on the board of the sketch, and is looked up by that", step=migration.Step.hardware,
+            )  # fmt: skip
+
+
+def _alike(each: FlowPorts, numbers: Mapping[int, migration.PortBinding], kept: KeptPins) -> bool:
+    """Whether all numbers that a flow can have mean the pins that their ports are bound to."""
+    labels = kept.target.labels
+    bound = [(n, bound_pin(numbers[n])) for n in each.numbers if n in numbers]
+    same = all(pin is not None and labels.get(number) == pin.label for number, pin in bound)
+    return same and (not each.anything or all(labels.get(n) == label for n, label in kept.source.labels.items()))
+
+
+def explicit_enumerators(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
+    """Give enumerators that follow a moved one their values, in a plan whose platform stays.
+
+    Args:
+        plan: the plan with the changes of its ports.
+        sources: path of a unit -> its bytes.
+    """
+    at = {
+        (str(change.unit.path), int(change.startOffset)): (binding, change)
+        for binding in plan.portBindings
+        for change in binding.changes
+        if change.unit is not None and change.rule in MOVES
+    }
+    for binding in plan.portBindings:
+        for old in [change for change in binding.changes if change.rule == NEXT]:
+            binding.changes.remove(old)
+    for unit in plan.program.units if plan.program is not None and at else ():
+        text = sources[unit.path]
+        for enumeration in all_of_kind(unit, ccode.Enumeration):
+            before: migration.PortBinding | None = None
+            for literal in enumeration.literals:
+                start, end = int(literal.startOffset), int(literal.endOffset)
+                own, implicit = at.get((str(unit.path), start)), b"=" not in text[start:end]
+                if own is not None and (own[1].rule != AS_WRITTEN or (implicit and before is not None)):
+                    before, change = own
+                    pin = bound_pin(before)
+                    if change.rule == AS_WRITTEN and pin is not None:
+                        change.rule, change.replacement = RULE, f"{literal.name} = {pin_literal(pin)}"
+                elif own is None and implicit and before is not None:
+                    before.changes.append(
+                        migration.TextChange(
+                            unit=unit, startOffset=end, endOffset=end, replacement=f" = {int(literal.value)}", rule=NEXT,
+                            reason="its value was one more than that of the one before", step=migration.Step.hardware,
+                        )
+                    )  # fmt: skip
+                    before = None
+                else:
+                    before = None
 
 
 def looked_up(ports: ProgramPorts) -> list[str]:
@@ -110,8 +196,9 @@ def _flow(
 
 def _where(argument: PinArgument) -> str:
     """The place of a call that takes a pin: its line, or the macro whose body contains it."""
-    macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if argument.call is None else []
-    line = argument.call.line if argument.call is not None else 0
+    taker = argument.call if argument.call is not None else argument.construction
+    macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if taker is None else []
+    line = taker.line if taker is not None else 0
     return f"in the macro '{macros[0].name}'" if macros else f"in line {line}"
 
 
@@ -124,11 +211,13 @@ def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:
             yield place
 
 
-def _moved(place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes]) -> migration.TextChange:
+def _moved(
+    place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes], kept: KeptPins | None
+) -> migration.TextChange:
+    rule, text = replacement(binding, sources[place.unit.path][place.start : place.end], kept)
     return migration.TextChange(
-        unit=place.unit, startOffset=place.start, endOffset=place.end,
-        replacement=replacement(binding, sources[place.unit.path][place.start : place.end]),
-        rule=RULE, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
+        unit=place.unit, startOffset=place.start, endOffset=place.end, replacement=text,
+        rule=rule, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
     )  # fmt: skip
 
 
@@ -151,11 +240,15 @@ def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> li
     ]  # fmt: skip
 
 
-def replacement(binding: migration.PortBinding, original: bytes) -> str:
-    """The text that replaces a port's number; an enumerator keeps its name."""
-    value = text_in_place(binding)
-    name = _NAME.match(original.decode("utf-8", errors="replace"))
-    return f"{name[0]} = {value}" if name is not None else value
+def replacement(binding: migration.PortBinding, original: bytes, kept: KeptPins | None) -> tuple[str, str]:
+    """The rule and the text of the change of a port's number; an enumerator keeps its name."""
+    value, given, pin = text_in_place(binding), original.decode("utf-8", errors="replace"), bound_pin(binding)
+    if kept is not None and pin is not None:
+        return kept.written(binding, pin, given)
+    name = _NAME.match(given)
+    if kept is not None and name is not None and name[0] in kept.source.names:
+        return RULE, value
+    return RULE, f"{name[0]} = {value}" if name is not None else value
 
 
 def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
@@ -180,7 +273,7 @@ def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.T
 def _around(argument: PinArgument, sources: Mapping[str, bytes], place: int, arrays: bool) -> tuple[str, str] | None:
     """The text before and after an argument that looks up its pin; None for an array if the target has no helper for arrays."""
     if argument.parameter.number is None:
-        return "port(", ")"
+        return ("port_of_channel(" if argument.parameter.numbering == CHANNEL else "port("), ")"
     given = list(argument.call.arguments) if argument.call is not None else []
     if not arrays or argument.parameter.number >= len(given):
         return None

@@ -1,10 +1,6 @@
 """Collects which declarations, parameters, results, array elements and members of a program can exchange values.
 
 It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_flows`.
-
-Also: the name under which a program keeps a number: the constant, array element or member whose initial value it is.
-
-A name counts only while nothing writes to it. What the number means is judged elsewhere.
 """
 
 from __future__ import annotations
@@ -17,11 +13,14 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
+from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
-from robosmi.transformations.queries.initialisers import is_designated, leaves, members_given, record_of
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.library_pins import may_be_pin
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 
@@ -45,6 +44,8 @@ class FlowReader:
         self.sources = sources
         self.holders = {view.unit.path: Holders([*view.unit.macros, *view.unit.macroUses]) for view in views}
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
+        self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
+        """Constant of the platform that is a pin of the board -> its number."""
         self.functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
         }
@@ -53,6 +54,7 @@ class FlowReader:
         for function in (e for view in views for e in view.elements if isinstance(e, ccode.Function) and e.definition):
             if isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)):
                 self._members.setdefault(str(function.name), []).append(function)
+        self._classes = Classes(views)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
@@ -155,6 +157,8 @@ class FlowReader:
             return self._result(expression)
         if isinstance(expression, ccode.IntegerLiteral):
             return self._literal(expression)
+        if isinstance(expression, ccode.ConstructorCall):
+            return self.key(expression)
         key = self.key(expression)
         if not isinstance(expression, ccode.ConditionalExpression):
             self.calculated(key, expression)
@@ -169,12 +173,14 @@ class FlowReader:
 
     def _name(self, reference: ccode.NameReference) -> Hashable:
         target = reference.target
-        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+        if isinstance(target, (ccode.Variable, ccode.Parameter)) and not self._is_constant(reference):
             return self.key(target)
         if isinstance(target, ccode.EnumerationLiteral):
             return self._enumerator(target)
         if reference.name in self.macros:
             return ("macro", str(reference.name))
+        if self._is_constant(reference):
+            return self._constant(reference)
         shared = self._shared.get(str(reference.name))
         if shared is not None:  # declared in a header that the parser did not see
             return self._enumerator(shared) if isinstance(shared, ccode.EnumerationLiteral) else self.key(shared)
@@ -192,10 +198,17 @@ class FlowReader:
     def _member(self, member: ccode.Member) -> Hashable:
         if member.object is None and _designates(member):
             return self.key(member)
-        if member.object is None:  # of the object that a method is called for, whose constructors are not followed
-            return self._once(self._field(str(member.name), None), f"'{member.name}' gets its value in a constructor")
+        if member.object is None:  # of the object that a method is called for
+            record = self._classes.around(member)
+            if record is not None and any(field.name == member.name for field in record.fields):
+                return self._own_field(str(member.name), record)
+            return self._once(self._field(str(member.name), None), f"'{member.name}' is a member of another class")
         whole = whole_of_member(member)
         return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
+
+    def _own_field(self, name: str, record: ccode.Record) -> Hashable:
+        """The key of a class's member."""
+        return self._field(name, record_key(record))
 
     def _field(self, name: str, record: Hashable | None) -> Hashable:
         """The key of a record's member; a member of an unknown record is joined with all members of its name."""
@@ -203,7 +216,8 @@ class FlowReader:
         known = self._fields.setdefault(name, {})
         if key not in known:
             known[key] = None
-            self.flows.freeze(key, f"'{name}' is a member of a structure")
+            if record is None or record not in self._classes.constructed:
+                self.flows.freeze(key, f"'{name}' is a member of a structure")
             if (unknown := ("field", name, None)) in known:
                 for other in known:
                     self.flows.join(unknown, other)
@@ -232,6 +246,25 @@ class FlowReader:
             self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
             if not _WRITTEN.match(self.sources[unit.path], start, end):
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
+        return key
+
+    def _is_constant(self, reference: ccode.NameReference) -> bool:
+        """Whether a name is a pin of the board by the platform, and not the program's own."""
+        target = reference.target
+        own = target is not None and ancestor_of_kind(target, ccode.SourceUnit) is not None
+        return str(reference.name) in self.constants and not own and str(reference.name) not in self._shared
+
+    def _constant(self, reference: ccode.NameReference) -> Hashable:
+        key = self.key(reference)
+        if key not in self._known:
+            self._known.add(key)
+            name, within, holder = initialised_constant(reference, self._initialisers)
+            unit = ancestor_of_kind(reference, ccode.SourceUnit)
+            assert unit is not None
+            start, end = int(reference.startOffset), int(reference.endOffset)
+            self.put(key, unit, start, end, self.constants[str(reference.name)], holder, name, within)
+            if self.sources[unit.path][start:end] != str(reference.name).encode():
+                self.flows.freeze(key, f"a macro makes it (line {reference.line})")
         return key
 
     def put(
@@ -263,6 +296,7 @@ class FlowReader:
                 self._variable(element)
             elif isinstance(element, ccode.Function):
                 self._unseen_calls(element)
+                self._defaults(element)
             elif isinstance(element, ccode.Lambda):
                 for parameter in element.parameters:
                     self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
@@ -277,6 +311,10 @@ class FlowReader:
                 self._return(element)
             elif isinstance(element, ccode.Call):
                 self._call(element, view)
+            elif isinstance(element, ccode.ConstructorCall):
+                self._constructed(str(element.className), list(element.arguments), element, view)
+            elif isinstance(element, ccode.MemberInitializer):
+                self._initial_member(element, view)
             elif isinstance(element, ccode.For) and element.range is not None:
                 for declaration in element.declaration.declarations if element.declaration is not None else ():
                     self.flows.freeze(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
@@ -306,12 +344,92 @@ class FlowReader:
             self.flows.freeze(self.key(parameter), why, computed=True)
         self.flows.freeze(("result", self.key(function)), why)
 
+    def _defaults(self, function: ccode.Function) -> None:
+        """Give the parameters of a function their default arguments, which its declaration in a class may have."""
+        for position, parameter in enumerate(function.parameters):
+            if parameter.defaultValue is not None:
+                same = [function] if function.definition else self._classes.definitions(function) or [function]
+                for definition in same:
+                    if position < len(definition.parameters):
+                        self._give(self.key(definition.parameters[position]), parameter.defaultValue)
+
     def _unseen_calls(self, function: ccode.Function) -> None:
         """Keep the numbers of what constructors and operators are given, since the code model does not have their calls."""
         around = function.eContainer()
-        hidden = str(function.name).startswith("operator") or (isinstance(around, ccode.Record) and function.name == around.name)
+        constructor = isinstance(around, ccode.Record) and function.name == around.name
+        hidden = str(function.name).startswith("operator") or (constructor and not self._classes.is_seen(str(function.name)))
         for parameter in function.parameters if hidden else ():
             self.flows.freeze(self.key(parameter), f"'{function.name}' is given it without a call in the text", computed=True)
+
+    def _constructed(
+        self,
+        name: str,
+        arguments: list[ccode.Expression],
+        made: ccode.ConstructorCall | ccode.MemberInitializer,
+        view: CodeView,
+    ) -> None:
+        """Join what an object is made with, with the parameters of its class's constructors, or let it end in pins."""
+        for function in self._classes.constructors(name, len(arguments)):
+            for parameter, argument in zip(function.parameters, arguments, strict=False):
+                self._give(self.key(parameter), argument)
+        for pin in self.constructor_pins(name, view, arguments):
+            if pin.position < len(arguments):
+                argument = arguments[pin.position]
+                start, end = int(argument.startOffset), int(argument.endOffset)
+                self.reach(self.value(argument), PinArgument(view.unit, start, end, name, pin, None, argument, construction=made))
+
+    def _initial_member(self, initial: ccode.MemberInitializer, view: CodeView) -> None:
+        """Give a member the value that a constructor initialises it with; a base class is constructed with it."""
+        record = self._classes.around(initial)
+        field = next((f for f in record.fields if f.name == initial.name), None) if record is not None else None
+        kind = str(initial.name) if field is None else type_name(field.valueType)
+        arguments = list(initial.arguments)
+        if field is None or self._classes.constructors(kind, len(arguments)) or self.constructor_pins(kind, view):
+            self._constructed(kind, arguments, initial, view)
+        elif record is not None and len(arguments) == 1:
+            self._give(self._own_field(str(field.name), record), arguments[0])
+
+    def takes(self, made: Element | None, position: int, view: CodeView) -> bool:
+        """Whether it is followed what becomes of an argument of a construction."""
+        if isinstance(made, ccode.ConstructorCall):
+            name, count = str(made.className), len(made.arguments)
+        elif isinstance(made, ccode.MemberInitializer):
+            record = self._classes.around(made)
+            field = next((f for f in record.fields if f.name == made.name), None) if record is not None else None
+            name, count = str(made.name) if field is None else type_name(field.valueType), len(made.arguments)
+            if field is not None and count == 1 and not self._classes.is_seen(name) and not self.constructor_pins(name, view):
+                return True
+        else:
+            return False
+        own = self._classes.constructors(name, count)
+        pins = self.constructor_pins(name, view, list(made.arguments))
+        return bool(own) or any(pin.position == position for pin in pins)
+
+    def constructor_pins(self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()) -> Sequence[PinParameter]:
+        """The parameters of a class's constructors that are pins for the platform or for a library; none for an own class.
+
+        Of a class that nobody knows, those are taken for pins whose arguments are called so.
+        """
+        if self._classes.is_own(name):
+            return ()
+        entry = view.resolve(name)
+        facts = view.api.pins(name, entry.header if entry is not None else "")
+        if facts is not None or entry is not None or view.api.board is None:
+            return facts.parameters if facts is not None else ()
+        return called_pins(arguments)
+
+    def method_pins(self, call: ccode.Call, view: CodeView) -> tuple[str, Sequence[PinParameter]] | None:
+        """The name of a method of a class that the reader does not know, and its parameters that are pins; None for any other."""
+        callee = call.calleeExpression
+        if view.api.board is None or call.callee is not None or not isinstance(callee, ccode.Member):
+            return None
+        held = callee.object
+        target = held.target if isinstance(held, ccode.NameReference) else None
+        kind = type_name(target.valueType) if isinstance(target, (ccode.Variable, ccode.Parameter)) else ""
+        if not kind or self._classes.is_own(kind) or view.resolve(kind) is not None:
+            return None
+        facts = view.api.pins(f"{kind}::{callee.name}", "")
+        return str(callee.name), facts.parameters if facts is not None else called_pins(list(call.arguments))
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -367,6 +485,11 @@ class FlowReader:
             for function in own:
                 for parameter, argument in zip(function.parameters, arguments, strict=False):
                     self._give(self.key(parameter), argument)
+            return
+        if (method := self.method_pins(call, view)) is not None:
+            for pin in method[1]:
+                if pin.position < len(arguments):
+                    self._pin(method[0], pin, call, view)
             return
         if call.callee is None and call.calleeExpression is not None:
             for position, argument in enumerate(arguments):
@@ -453,6 +576,15 @@ class FlowReader:
         return list(dict.fromkeys(found))
 
 
+def called_pins(arguments: Sequence[ccode.Expression]) -> list[PinParameter]:
+    """The arguments that are names of pins, as parameters."""
+    return [
+        PinParameter(position, str(argument.name), "unknown")
+        for position, argument in enumerate(arguments)
+        if isinstance(argument, ccode.NameReference) and may_be_pin(str(argument.name))
+    ]
+
+
 def view_text(data: bytes, start: int, end: int) -> str:
     """The text of a byte range of a unit, without white space around it."""
     return data[start:end].decode("utf-8", errors="replace").strip()
@@ -465,61 +597,3 @@ def _designates(member: ccode.Member) -> bool:
     while isinstance(outer, (ccode.Member, ccode.Index)):
         inner, outer = outer, outer.eContainer()
     return isinstance(outer, ccode.Assignment) and outer.left is inner and isinstance(outer.eContainer(), ccode.InitializerList)
-
-
-def _written(reference: ccode.Expression) -> bool:
-    """Whether a reference to a variable, or to an element of it, changes it."""
-    inner, outer = reference, reference.eContainer()
-    while isinstance(outer, ccode.Index) and outer.array is inner:
-        inner, outer = outer, outer.eContainer()
-    if isinstance(outer, ccode.Assignment):
-        return outer.left is inner
-    return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
-
-
-class Initialisers:
-    """What many literals of one list or variable ask for, computed once."""
-
-    def __init__(self) -> None:
-        self._numbers: dict[ccode.InitializerList, dict[ccode.Located, int] | None] = {}
-        self._written: dict[ccode.Variable, bool] = {}
-
-    def numbers(self, values: ccode.InitializerList) -> dict[ccode.Located, int] | None:
-        """The index of each value of a list; None where a value is designated."""
-        if values not in self._numbers:
-            designated = any(is_designated(each) for each in values.elements)
-            self._numbers[values] = None if designated else {each: number for number, each in enumerate(values.elements)}
-        return self._numbers[values]
-
-    def is_written(self, variable: ccode.Variable) -> bool:
-        """Whether a reference to a variable, or to an element of it, changes it."""
-        if variable not in self._written:
-            self._written[variable] = any(_written(reference) for reference in variable.references)
-        return self._written[variable]
-
-
-def initialised_constant(literal: ccode.IntegerLiteral, known: Initialisers) -> tuple[str, str, ccode.Located]:
-    """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
-
-    The names are empty, and the element is the literal, where the literal initialises no constant.
-    """
-    inner, outer = literal, literal.eContainer()
-    index = None
-    while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
-        if isinstance(outer, ccode.InitializerList):
-            numbers = known.numbers(outer)
-            if index is not None or numbers is None:
-                return "", "", literal
-            index = numbers[inner]
-        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
-    if not isinstance(outer, ccode.Variable):
-        return "", "", literal
-    function = ancestor_of_kind(outer, ccode.Function)
-    if known.is_written(outer):
-        return "", "", literal  # the name says no longer which port it is
-    name = str(outer.name) if index is None else f"{outer.name}[{index}]"
-    if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:
-        if outer.valueType.arrayDims or index is None or index >= len(record.fields):
-            return "", "", literal
-        name = f"{outer.name}.{record.fields[index].name}"
-    return name, str(function.name) if function is not None else "", outer if index is None else literal

@@ -1,0 +1,12 @@
+"""The rules that change the text of a program whose platform stays; each is a function in a module of its own subject."""
+
+from __future__ import annotations
+
+from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
+from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
+from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
+from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
+from robosmi.transformations.m2m.sketches.usb_console import usb_console
+
+RULES: tuple[SketchRule, ...] = (clashing_names, servo_limits, flash_eeprom, usb_console)
+"""All rules. Where edits of two of them overlap, that of the earlier one counts."""
