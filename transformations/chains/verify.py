@@ -57,11 +57,12 @@ from robosmi.transformations.verification.original_side import (
 from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
-from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, is_comparable, most_stored
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, most_stored
 from robosmi.transformations.verification.stubs import Stubs, stubs_of, with_stubs, written_in
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.host_original import HostOriginal
+from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
@@ -240,15 +241,16 @@ def _compared(
             where = f" ({Path(at.path).name}:{at.line})" if at is not None and at.line else ""
             verdict.reasons.append(f"the original cannot be run here: {error.message}{where}")
             return Verified(verdict, report)
-        verdict.original = f"{program.model.title}, {program.compiler}"
+        verdict.original = f"{program.title}, {program.compiler}"
         verdict.stubbed = [*program.stubbed, *stubs.headers, *stubs.symbols]
         targets = {str(use.name): str(use.targetName or use.name) for use in plan.adapterUses}
         if own := written_in(_sketch_files(output), {targets[name] for name in program.stubbed}):
             stubbed = _compiled_with_stubs(output, folder / "stubbed", own)
             side = TargetSide(_board(models, stubbed), stubbed, ports, engine, whole=vcd is not None)
         called = {str(use.name) for use in plan.adapterUses}
-        program = replace(program, store_bytes=side.store_bytes if is_comparable(program.model, ports) else 0)
-        verdict.functions |= {EEPROM_CHANNEL: tuple(sorted(called & program.model.stores))}
+        if program.is_store_comparable({port.source for port in ports}):
+            program = program.with_store_bytes(side.store_bytes)
+        verdict.functions |= {EEPROM_CHANNEL: tuple(sorted(called & program.stores))}
         cases, made = _cases(program, ports, models, given, plan_file.parent / FOLDER, seed, verdict, limits)
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
@@ -369,7 +371,7 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
     return report
 
 
-def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs: Stubs | None = None) -> OriginalProgram:
+def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs: Stubs | None = None) -> Original:
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
@@ -378,7 +380,7 @@ def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
     with acting(host=True):
         model = load_host_model(str(plan.source.name))
-        return original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted, stubs=stubs)
+        return HostOriginal(original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted, stubs=stubs))
 
 
 def _sources(models: MigrationModels) -> dict[str, bytes]:
@@ -394,7 +396,7 @@ class _Made(Struct):
 
 
 def _cases(
-    program: OriginalProgram, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
+    program: Original, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
     seed: int | None, verdict: Verdict, limits: _Limits,
 ) -> tuple[list[Case], _Made]:  # fmt: skip
     """The scenarios with their runs of the source: only the given ones, or else the stored and generated ones."""
@@ -437,7 +439,7 @@ def _cases(
 
 
 def _started_again(
-    program: OriginalProgram, ports: list[BoundPort], kept: Sequence[ComparedScenario], side: TargetSide, one_thread: bool,
+    program: Original, ports: list[BoundPort], kept: Sequence[ComparedScenario], side: TargetSide, one_thread: bool,
     at_rest: Mapping[str, int],
 ) -> list[ComparedScenario]:  # fmt: skip
     """The scenario in which the source stores most, once more with what it has stored, if nothing differs yet."""

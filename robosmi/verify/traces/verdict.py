@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct, field
 
 from robosmi.verify.missed_lines import format_ranges
-from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
 

@@ -10,7 +10,7 @@ from time import monotonic
 
 from msgspec import Struct, field
 
-from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.original import OriginalRun
 
 _RUN_S = 0.02
 """Estimated seconds to start a run and to read its coverage."""
