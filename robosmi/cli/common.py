@@ -25,6 +25,11 @@ def add_source_options(parser: Options) -> None:
     parser.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="define a macro")
 
 
+def add_source_board(parser: Options) -> None:
+    """The option that names the board that a program runs on today."""
+    parser.add_argument("--from", dest="source_board", metavar="NAME", help="board that the program runs on today")
+
+
 def output_folder(text: str) -> Path:
     """The output folder that an option names; an empty text, as of an unset variable, would mean the current folder.
 

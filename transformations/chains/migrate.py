@@ -27,7 +27,9 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
+from robosmi.transformations.chains.kept_program import KeptProgram, kept_program
 from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
+from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
 from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
@@ -63,7 +65,7 @@ from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.record_members import outside_members
 
 GIVEN = (
-    "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
+    "files", "project", "hardware", "target_name", "source_platform", "from_board", "include_dirs", "defines", "libraries", "bind", "history",
     "adapters", "widths",
 )  # fmt: skip
 """The values that a migration gets from outside; `migration_chain` says what each is used for."""
@@ -79,7 +81,8 @@ def migration_chain() -> Chain:
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(target, makes="target", step="look up the target")
     chain.call(source_api, makes="api", step="look up the source platform")
-    chain.call(program_files, makes="program_files", step="find the program's files")
+    chain.call(source_board, makes="source_board", step="look up the source board")
+    chain.call(files_of_program, makes="program_files", step="find the program's files")
     chain.call(program, makes="program", step="read the program")
     chain.call(drawing, makes="drawing", step="read the drawing")
     chain.call(board, makes="board", step="look up the board")
@@ -87,6 +90,7 @@ def migration_chain() -> Chain:
     chain.call(make_ranker, makes="ranker", step="load the ranker")
     chain.call(previous_choices, makes="earlier", step="open the history")
     chain.call(ports, makes="ports", step="follow the program's ports")
+    chain.call(kept_program, makes="kept", step="find what behaves differently on another board")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
     chain.call(widenings, makes="widenings", step="keep the widths of numbers")
     chain.call(bindings, makes="bindings", step="bind ports to pins")
@@ -108,18 +112,41 @@ def source_api(files: Sequence[Path], source_platform: str | None, settings: Pro
 
     Raises:
         UsageError: there is no such platform.
-        SourceError: it is a platform whose programs are sketches, which cannot be moved yet.
     """
     name = source_platform or settings.source_platform or platform_of_files([Path(file) for file in files])
     check_source_platform(name)
     api = ApiIndex.load(name)
+    if target.platform == name:
+        return api
     if api.sketch is not None:
-        raise SourceError(
-            f"migrate cannot move programs of '{name}' yet",
-            location=Location(str(files[0])),
-            fix=f"run robosmi analyse {files[0]} --target {target.target}: it lists the places that may behave differently there",
+        raise UsageError(
+            f"programs of '{name}' cannot be moved to the target '{target.target}', whose platform is '{target.platform}'",
+            fix="give a board of the same platform as --target; robosmi targets lists them",
         )
     return api.adapted(AdapterPins(adapter_files_of(settings, target, api)))
+
+
+def source_board(
+    files: Sequence[Path], api: ApiIndex, from_board: str | None, settings: Project, target: TargetFacts
+) -> SourceBoard | None:
+    """The board that the program runs on today; None on a platform that does not tell its boards apart.
+
+    Raises:
+        UsageError: there is no such board.
+    """
+    return find_source_board([Path(file) for file in files], api, from_board or settings.source_board, target.target)
+
+
+def files_of_program(
+    files: Sequence[str | Path],
+    include_dirs: Sequence[Path],
+    defines: Sequence[str],
+    api: ApiIndex,
+    source_board: SourceBoard | None,
+) -> ProgramFiles:
+    """The files of the program, with the macros of its board; see `program_files`."""
+    of_board = source_board.defines if source_board is not None else ()
+    return program_files(files, include_dirs, [*of_board, *defines], api)
 
 
 def target(target_name: str | None, settings: Project) -> TargetFacts:
@@ -194,6 +221,7 @@ def judgement(
     widths: str | None,
     settings: Project,
     drawing: StoredDrawing | None,
+    kept: KeptProgram | None,
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), and which adapters fill its calls.
 
@@ -201,6 +229,8 @@ def judgement(
         UsageError: adapters are neither filled nor placeholders.
         PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
     """
+    if kept is not None:
+        return kept.judged
     how = adapters or default_text("migrate", "adapters")
     target.reserve_names_of(board)
     index = api.adapters.index if api.adapters is not None else None
@@ -246,9 +276,13 @@ def models(
     bind: Mapping[str, str],
     libraries: Mapping[str, str],
     stored: StoredChoices | None,
+    source_board: SourceBoard | None,
+    kept: KeptProgram | None,
 ) -> MigrationModels:
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
+    findings += source_board.findings if source_board is not None else []
+    findings += kept.left if kept is not None else []
     if drawing is not None:
         set_rest_levels(drawing.hardware.connections)
         set_servo_trims(drawing.hardware.connections, bindings, settings.servos)
@@ -293,6 +327,7 @@ def plan_migration(
     hardware: str | Path | None = None,
     target: str | None = None,
     source_platform: str | None = None,
+    source_board: str | None = None,
     include_dirs: Sequence[Path] = (),
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
@@ -313,6 +348,7 @@ def plan_migration(
         hardware: drawing of the new hardware; the project file's if None.
         target: target board.
         source_platform: platform that the program was written for.
+        source_board: board that the program runs on today; if None that of the project file, of its drawing, or the usual one.
         include_dirs: folders with headers.
         defines: macros defined from outside.
         libraries: component -> library, before the project file.
@@ -331,7 +367,7 @@ def plan_migration(
     """
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
+        from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
         history=history, widths=widths, bench=bench, ranker_name=ranker, stored=NOTHING,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
@@ -354,6 +390,7 @@ def migrate(
     hardware: str | Path | None = None,
     target: str | None = None,
     source_platform: str | None = None,
+    source_board: str | None = None,
     include_dirs: Sequence[Path] = (),
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
@@ -376,7 +413,7 @@ def migrate(
         output: the output folder.
         dry_run: write nothing.
         strict: stop when a choice is open.
-        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
+        project, hardware, target, source_platform, source_board, include_dirs, defines, libraries, bind, adapters, history,
             widths, ranker, bench, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
@@ -393,7 +430,7 @@ def migrate(
     chosen, adopted = dict(libraries or {}), import_choices(Path(output))
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
+        from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
         history=history, widths=widths, bench=bench, ranker_name=ranker, stored=adopted.choices,
     )  # fmt: skip
     with project_of_input(files[0]):
@@ -418,6 +455,7 @@ def migrate(
         told |= {
             "target": target,
             "source_platform": source_platform,
+            "source_board": source_board,
             "defines": list(defines),
             "adapters": adapters,
             "ranker": ranker,

@@ -25,6 +25,7 @@ from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
+from robosmi.transformations.queries.portability.analysed_program import DIFFERS
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.transformations.queries.source_text import SourceText
@@ -124,7 +125,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.open = not choice
 
 
-DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE})
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE, DIFFERS})
 """Rules whose tasks follow from decisions and are derived anew when a decision changes."""
 
 
@@ -327,6 +328,16 @@ def _pins(plan: migration.MigrationPlan) -> Iterator[Task]:
             )  # fmt: skip
 
 
+def _different(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Tasks for places that behave differently on the target board, and that no rule changes."""
+    for finding in plan.findings:
+        if finding.rule == DIFFERS:
+            yield Task(
+                rule=DIFFERS, severity=Level.warning, effort="small", message=f"adapt it to the board: {finding.message}",
+                fix=finding.fix, path=finding.path, line=finding.line, column=finding.column, elements=[*finding.elements],
+            )  # fmt: skip
+
+
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Tasks for drawn components that no port is bound to, and for bound ports that no called function uses."""
     for binding in plan.portBindings:
@@ -357,5 +368,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _pins, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _pins, _different, _unused,
 )  # fmt: skip

@@ -26,11 +26,12 @@ from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, separate_placeholders, with_own_types
 from robosmi.transformations.m2t.first_screen import Counted
+from robosmi.transformations.m2t.kept_text import kept_parts
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.circuits.connector_names import wire_name
-from robosmi.transformations.queries.plans.plan import target_of
+from robosmi.transformations.queries.plans.plan import keeps_platform, target_of
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes
@@ -84,24 +85,27 @@ def program_files(
         raise UsageError(f"the target '{name}' has no sketch for the bench", fix=fix)
     g = Gen()
     assert plan.program is not None
+    kept = keeps_platform(plan)
     late, changes = with_own_types(plan), all_changes(plan)
     texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
 
     @g.rule(
         domain=plan.program.units,
-        template=lambda u: templates.header if is_header(u) else templates.unit,
+        template=lambda u: templates.header if kept or is_header(u) else templates.unit,
         target=lambda u: f"{plan.name}/{file_name(u, plan)}",
     )
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         text = texts[unit]
+        if kept:
+            return {"code": kept_parts(text)}
         return (
             own_header(plan, text)
             if is_header(unit)
             else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late, texts)}
         )
 
-    @g.rule(template=templates.adapters, target=f"{plan.name}/{ADAPTERS_FILE}")
-    def Adapters() -> dict[str, Any]:
+    @g.rule(domain=[] if kept else [plan], template=templates.adapters, target=f"{plan.name}/{ADAPTERS_FILE}")
+    def Adapters(_: migration.MigrationPlan) -> dict[str, Any]:
         listed = adapters(plan, separate_placeholders(plan))
         return {
             "plan": plan,

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from robosmi.cli.common import add_source_options, write_model
+from robosmi.cli.common import add_source_board, add_source_options, write_model
 from robosmi.cli.progress import progress
 from robosmi.plugins import content
 from robosmi.project import project_of
@@ -21,7 +21,7 @@ def configure(parser: Options) -> None:
     """Add the command's options."""
     add_source_options(parser)
     parser.add_argument("--target", metavar="NAME", help="also list the places that may behave differently on this board")
-    parser.add_argument("--from", dest="source_board", metavar="NAME", help="board that the program runs on today")
+    add_source_board(parser)
     parser.add_argument("-o", dest="output", metavar="code.xmi", type=Path, help="store the code model as XMI")
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
-from robosmi.cli.common import add_source_options, output_folder, pairs
+from robosmi.cli.common import add_source_board, add_source_options, output_folder, pairs
 from robosmi.cli.progress import progress
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
@@ -33,6 +33,7 @@ def configure(parser: Options) -> None:
     add_source_options(parser)
     parser.add_argument("--hardware", metavar="SKETCH", type=Path, help="drawing of the new hardware")
     parser.add_argument("--target", metavar="NAME", help="target board")
+    add_source_board(parser)
     parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
     parser.add_argument(
         "--library",
@@ -74,6 +75,7 @@ class _Arguments(argparse.Namespace):
     json: bool
     files: list[Path]
     source_platform: str | None
+    source_board: str | None
     include_dirs: list[Path]
     defines: list[str]
     hardware: Path | None
@@ -105,7 +107,8 @@ def run(arguments: _Arguments) -> Report:
     with progress() as told:
         done: MigratedSketch = content("chain", "migrate")(
             arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
-            source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
+            source_platform=arguments.source_platform, source_board=arguments.source_board,
+            include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
             widths=arguments.widths, ranker=arguments.ranker, bench=arguments.bench, verify=arguments.verify,

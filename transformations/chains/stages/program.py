@@ -88,7 +88,7 @@ def program_files(
         given, left_out = [Path(source) for source in side.sources], side.findings
         include_dirs = [*include_dirs, *(Path(each) for each in side.include_dirs)]
         defines = [*defines, *side.defines]
-    sources = source_files(given, [str(d) for d in include_dirs], defines)
+    sources = source_files(given, [str(d) for d in include_dirs], defines, api.sketch)
     folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
     macros = list(dict.fromkeys(d for source in sources for d in source.defines))
     paths = [Path(source.path) for source in sources]
@@ -128,20 +128,25 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     findings = [*files.findings, *findings]
     if target.language == PLAIN_C:
         _refuse_cplusplus(program, target)
-    main = _the_main(program)
-    if not target.preserves_main:
-        _refuse_torn(main)
+    keeps = target.platform == api.name
+    if keeps:
+        _check_entries(program, api)
+    else:
+        main = _the_main(program)
+        if not target.preserves_main:
+            _refuse_torn(main)
     seen = views(program, api)
     for view in seen:
         findings = [*findings, *library_cogs(view), *unknown_functions(view)]
     findings = still_unknown(findings, api.adapters.index if api.adapters is not None else None)
-    places = _store_units(program, target.own_headers | {ADAPTERS_FILE})
+    name = sketch_name_of(Path(program.units[0].path)) if keeps else _sketch_name(main)
+    places = _store_in_place(program) if keeps else _store_units(program, target.own_headers | {ADAPTERS_FILE})
     copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
     names = {place: path for path, place in places.items()}
     findings = [*findings, *double_definitions(program, copies, names)]
     for view in seen if target.language == CPLUSPLUS else ():
         findings = [*findings, *remarks(view, copies[view.unit.path], names[view.unit.path])]
-    return StoredProgram(program, _sketch_name(main), seen, places, copies, findings)
+    return StoredProgram(program, name, seen, places, copies, findings)
 
 
 def _refuse_cplusplus(program: ccode.Program, target: TargetFacts) -> None:
@@ -185,6 +190,23 @@ def _the_main(program: ccode.Program) -> ccode.Function:
     return found[0][1]
 
 
+def _check_entries(program: ccode.Program, api: ApiIndex) -> None:
+    """Refuse a sketch that lacks one of the functions in which it begins, unless it has a main of its own.
+
+    Raises:
+        SourceError: one is missing.
+    """
+    defined = {d.name for u in program.units for d in u.declarations if isinstance(d, ccode.Function) and d.definition}
+    unread = {str(lost.name) for unit in program.units for lost in unit.unresolved}
+    missing = [name for name in ENTRIES if name not in defined | unread]
+    if missing and "main" not in defined:
+        raise SourceError(
+            f"the sketch has no function {' and no function '.join(missing)}",
+            location=Location(program.units[0].path),
+            fix=f"write it, or give the sketch that has it; an empty one is enough: void {missing[0]}() {{}}",
+        )
+
+
 def _refuse_torn(main: ccode.Function) -> None:
     """Refuse a main that cannot be divided, since a macro writes one of its braces together with statements.
 
@@ -198,6 +220,33 @@ def _refuse_torn(main: ccode.Function) -> None:
             location=Location(unit.path if unit is not None else "", main.line, main.column),
             fix="write the braces of main in the source, next to the statements of that macro",
         )
+
+
+def _store_in_place(program: ccode.Program) -> dict[str, str]:
+    """Set the paths of units and includes to those of their copies, which lie as the files do: path as given -> of the copy.
+
+    A file outside of the first one's folder lies beside the others under its name.
+    """
+    places: dict[str, str] = {}
+    used: set[str] = set()
+    beside = os.path.dirname(os.path.realpath(program.units[0].path))
+    program.includeFolders[:] = [os.path.relpath(os.path.realpath(folder), beside) for folder in program.includeFolders]
+    for unit in program.units:
+        within = os.path.relpath(os.path.realpath(unit.path), beside).replace(os.sep, "/")
+        name = within if not within.startswith("..") else Path(unit.path).name
+        number, base = 1, name
+        while name.lower() in used:
+            number += 1
+            folder, _, last = base.rpartition("/")
+            name = f"{folder}/{number}_{last}" if folder else f"{number}_{last}"
+        used.add(name.lower())
+        places[unit.path] = f"source/{name}"
+    copies = {os.path.realpath(path): place for path, place in places.items()}
+    for unit in program.units:
+        unit.path = places[unit.path]
+    for include in (i for unit in program.units for i in unit.includes if i.resolvedPath):
+        include.resolvedPath = copies.get(os.path.realpath(include.resolvedPath), include.header)
+    return places
 
 
 def _store_units(program: ccode.Program, taken: Collection[str]) -> dict[str, str]:
@@ -249,6 +298,8 @@ _RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]", re.IGNORECASE)
 """Names that Windows reserves for devices; Arduino's specification forbids them, and no such folder can be made there."""
 
 
+ENTRIES = ("setup", "loop")
+"""The functions in which a sketch begins (Arduino, "Sketch specification")."""
 OUTSIDE = "RS113"
 """The rule for a header that is taken from outside of the program's folders."""
 _INCLUDE = re.compile(r'#\s*include\s*[<"]([^>"\n]+)[>"]')

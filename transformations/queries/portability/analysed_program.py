@@ -15,6 +15,10 @@ from robosmi.transformations.queries.portability.names import ForeignName, forei
 from robosmi.transformations.queries.portability.pin_origins import PinOrigin, PinOrigins
 
 
+DIFFERS = "RS346"
+"""The rule of a place that behaves differently on the target, and that no rule of `m2m.sketches` changes."""
+
+
 class PortabilityPlace(Struct, frozen=True):
     """A place that may behave otherwise: contract `portability[]`."""
 
@@ -39,15 +43,18 @@ class AnalysedProgram:
         views: a view of each unit.
         facts: the facts about programs of the platform.
         move: from which board to which.
+        sources: path of a unit -> its bytes; None to read the files.
     """
 
-    def __init__(self, views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove) -> None:
-        self.views, self.facts, self.move = views, facts, move
+    def __init__(
+        self, views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove, sources: Mapping[str, bytes] | None = None
+    ) -> None:
+        self.views, self.facts, self.move, self._sources = views, facts, move, sources
 
     @cached_property
     def names(self) -> Mapping[int, Sequence[ForeignName]]:
         """Number of a view -> the names in it that the program does not declare."""
-        return {number: foreign_names(view) for number, view in enumerate(self.views)}
+        return {number: foreign_names(view, self._sources) for number, view in enumerate(self.views)}
 
     @cached_property
     def origins(self) -> PinOrigins:

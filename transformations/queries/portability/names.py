@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from msgspec import Struct
 
@@ -32,14 +32,15 @@ class ForeignName(Struct, frozen=True):
     text: str = ""
 
 
-def foreign_names(view: CodeView) -> list[ForeignName]:
+def foreign_names(view: CodeView, sources: Mapping[str, bytes] | None = None) -> list[ForeignName]:
     """The names of a unit that its program does not declare, with each line in which they are used.
 
     Args:
         view: the unit.
+        sources: path of a unit -> its bytes; None to read the file.
     """
     own = own_names(view.program)
-    found = [*(use for use in _in_model(view) if use.name not in own), *_in_text(view, own)]
+    found = [*(use for use in _in_model(view) if use.name not in own), *_in_text(view, own, sources)]
     return sorted({(use.line, use.name): use for use in reversed(found)}.values(), key=lambda use: (use.line, use.name))
 
 
@@ -71,7 +72,7 @@ def _in_model(view: CodeView) -> Iterator[ForeignName]:
         yield ForeignName(str(lost.name), int(lost.line))
 
 
-def _in_text(view: CodeView, own: set[str]) -> Iterator[ForeignName]:
+def _in_text(view: CodeView, own: set[str], sources: Mapping[str, bytes] | None) -> Iterator[ForeignName]:
     for macro in view.unit.macros:
         for name in names_in(str(macro.body or "")) - set(macro.parameters) - own:
             yield ForeignName(name, int(macro.line))
@@ -79,16 +80,17 @@ def _in_text(view: CodeView, own: set[str]) -> Iterator[ForeignName]:
     expressions = [(str(each.text or ""), int(each.line)) for each in view.of_kind(ccode.UnknownExpression)]
     for text, line in (*statements, *expressions):
         yield from (ForeignName(name, line) for name in names_in(text) - own)
-    yield from (use for use in _not_in_model(view.unit) if use.name not in own)
+    yield from (use for use in _not_in_model(view.unit, sources) if use.name not in own)
 
 
-def _not_in_model(unit: ccode.SourceUnit) -> Iterator[ForeignName]:
+def _not_in_model(unit: ccode.SourceUnit, sources: Mapping[str, bytes] | None) -> Iterator[ForeignName]:
     """The names in the text that conditional directives leave out, and in lines that the parser complains about."""
     damaged = {int(problem.line) for problem in unit.problems}
     ranges = list(left_out_ranges(unit.conditionals))
     if not ranges and not damaged:
         return
-    data = inputs.read_bytes(str(unit.path), inputs.SOURCE)
+    path = str(unit.path)
+    data = sources[path] if sources is not None else inputs.read_bytes(path, inputs.SOURCE)
     lines = [0, *(match.end() for match in _LINE_END.finditer(data))]
     starts = [start for start, _ in ranges]
     before = ""

@@ -6,7 +6,7 @@ places; what a kind is called and when it behaves the same is data.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.transformations.knowledge.platforms.portability_facts import PlaceKind, PortabilityFacts
 from robosmi.transformations.queries.code import CodeView
@@ -15,15 +15,18 @@ from robosmi.transformations.queries.portability.board_move import BoardMove
 from robosmi.transformations.queries.portability.kinds import RULES, named
 
 
-def portability(views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove) -> list[PortabilityPlace]:
+def portability(
+    views: Sequence[CodeView], facts: PortabilityFacts, move: BoardMove, sources: Mapping[str, bytes] | None = None
+) -> list[PortabilityPlace]:
     """The places, by file and line; each line once for a kind.
 
     Args:
         views: a view of each unit of the program.
         facts: the facts about programs of the source platform.
         move: from which board to which.
+        sources: path of a unit -> its bytes; None to read the files.
     """
-    seen = AnalysedProgram(views, facts, move)
+    seen = AnalysedProgram(views, facts, move, sources)
     order = {id(view.unit): number for number, view in enumerate(views)}
     paths = {str(view.unit.path): order[id(view.unit)] for view in views}
     found: dict[tuple[str, str, int], PortabilityPlace] = {}

@@ -1,0 +1,49 @@
+"""The step of `migrate` for a program whose platform stays: what behaves differently on the other board, and what changes it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from msgspec import Struct
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import platform
+from robosmi.transform import Trace
+from robosmi.transformations.chains.source_board import SourceBoard
+from robosmi.transformations.chains.stages.program import StoredProgram
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
+from robosmi.transformations.m2m.partition.platform_dependence import Dependence
+from robosmi.transformations.m2m.sketches.kept_platform import keep_platform
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
+from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
+from robosmi.transformations.queries.portability.places import portability
+
+
+class KeptProgram(Struct, frozen=True):
+    """A program whose platform stays.
+
+    Attributes:
+        move: from which board to which.
+        judged: what happens to each of its elements, and the trace of what this was made from.
+        left: a finding for each place that behaves differently and is left to a person.
+    """
+
+    move: BoardMove
+    judged: tuple[Dependence, Trace]
+    left: Sequence[Finding]
+
+
+def kept_program(
+    program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, source_board: SourceBoard | None
+) -> KeptProgram | None:
+    """What happens to a program whose platform stays; None for a program of another platform than the target's."""
+    facts = portability_facts(api.name)
+    if target.platform != api.name or source_board is None or facts is None:
+        return None
+    move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
+    places = portability(program.views, facts, move, program.copies)
+    trace = Trace()
+    dependence, left = keep_platform(MovedSketch(program.views, program.copies, move, places), trace)
+    return KeptProgram(move, (dependence, trace), left)

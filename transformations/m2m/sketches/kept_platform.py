@@ -1,0 +1,140 @@
+"""Gives each element of a program whose platform stays its disposition: all is retained but for the edits of the rules.
+
+Nothing is divided, and no name needs an adapter: the same name means the same. What behaves differently all the same is found
+by `queries.portability`; the rules of `sketch_rules` change it, and what none of them changes becomes a finding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.metamodels import ccode, migration
+from robosmi.query import ancestor_of_kind
+from robosmi.transform import ETL, Trace
+from robosmi.transformations.knowledge.platforms.platform_model import platform_part
+from robosmi.transformations.m2m.partition.dispositions import STEP, Disposition, decide, retain, rewrite
+from robosmi.transformations.m2m.partition.platform_dependence import Dependence
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
+from robosmi.transformations.m2m.sketches.sketch_rules import RULES
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.own_headers import own_header
+from robosmi.transformations.queries.portability.analysed_program import DIFFERS
+from robosmi.transformations.queries.program_model import ProgramModel
+from robosmi.transformations.queries.source_text import words_of
+
+
+def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[Finding]]:
+    """Decide what happens to each element of a program.
+
+    Args:
+        sketch: the program.
+        trace: where links from sources to decisions are recorded.
+
+    Returns:
+        The partition, and a finding for each place that is left to a person.
+    """
+    made = Dependence()
+    views = sketch.views
+    called = {name for view in views for name in view.called()}
+    symbols = {symbol.name for view in views for symbol in view.symbols()}
+    includes = [include.header for view in views for include in view.unit.includes]
+    words = words_of(sketch.sources[view.unit.path] for view in views)
+    made.source = platform_part(views[0].api, [*called, *symbols], includes, words, [view.includes for view in views])
+    code = ProgramModel(views)
+    judged = _dispositions(code, views)
+    judged.run()
+    made.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element, Disposition)]
+    edits = [edit for rule in RULES for edit in rule(sketch)]
+    for edit in edits:
+        _rewrite(edit, judged, made.dispositions)
+    trace.take(judged.trace)
+    return made, list(_left(sketch, edits))
+
+
+def _dispositions(code: ProgramModel, views: Sequence[CodeView]) -> ETL:
+    """The transformation from a program to dispositions; its rule `Rewritten` takes elements that no other matches."""
+    t = ETL(code, step=STEP)
+    program, api = views[0].program, views[0].api
+
+    def at_top(element: ccode.Located) -> bool:
+        return isinstance(element.eContainer(), ccode.SourceUnit)
+
+    def known(include: ccode.Include) -> bool:
+        return api.header_kind(str(include.header)) is not None
+
+    @t.rule(guard=lambda i: bool(own_header(i)))
+    def OwnHeader(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "own-header", "the program's own header, copied with it")
+
+    @t.rule(guard=lambda i: not own_header(i) and known(i))
+    def KeptInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "kept-include", "the target has the header, too")
+
+    @t.rule(guard=lambda i: not own_header(i) and not known(i))
+    def LibraryInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "library-include", "a library that is installed for the target, too")
+
+    @t.rule
+    def OwnMacro(m: ccode.Macro, d: Disposition) -> None:
+        decide(d, m, retain, "own-macro", "the program's own macro")
+
+    @t.rule(guard=at_top)
+    def OwnFunction(f: ccode.Function, d: Disposition) -> None:
+        decide(d, f, retain, "own-function", "the program's own function")
+
+    @t.rule(greedy=True, guard=lambda x: at_top(x) and not isinstance(x, ccode.Function))
+    def OwnDeclaration(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, retain, "own-declaration", "the program's own declaration")
+
+    @t.rule(greedy=True, guard=lambda x: x.eContainer() is program)
+    def KeptName(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, retain, "target-name", "it means the same on the target")
+
+    @t.rule(lazy=True, greedy=True)
+    def Rewritten(e: ccode.Located, d: Disposition) -> None:
+        decide(d, e, rewrite, "", "")
+
+    return t
+
+
+def _rewrite(edit: SketchEdit, judged: ETL, dispositions: list[migration.Disposition]) -> None:
+    """Add an edit to the disposition of its element, which may have those of other rules."""
+    unit = ancestor_of_kind(edit.element, ccode.SourceUnit)
+    old = next(iter(judged.trace.equivalents(edit.element, Disposition)), None)
+    made = old if old is not None else judged.equivalent(edit.element, "Rewritten", kind=Disposition)
+    assert made is not None
+    if old is None:
+        dispositions.append(made)
+    if old is None or old.action is retain:
+        made.action, made.choice = rewrite, rewrite.name
+        made.rules[:], made.reasons[:] = [], []
+    made.rules.append(edit.rule)
+    made.reasons.append(edit.reason)
+    made.changes.extend(
+        migration.TextChange(
+            unit=unit, startOffset=start, endOffset=end, replacement=text, rule=edit.rule, reason=edit.reason,
+            step=migration.Step.code,
+        )
+        for start, end, text in edit.replacements
+    )  # fmt: skip
+
+
+def _left(sketch: MovedSketch, edits: Sequence[SketchEdit]) -> Iterator[Finding]:
+    cured = {
+        (edit.kind, str(unit.path), line)
+        for edit in edits
+        if (unit := ancestor_of_kind(edit.element, ccode.SourceUnit)) is not None
+        for line in edit.lines
+    }
+    for place in sketch.places:
+        if (place.kind, place.path, place.line) not in cured:
+            yield Finding(
+                DIFFERS, Severity.warning, f"{place.kind}: {place.what}", Location(place.path, place.line),
+                fix=f"write what it means there: {_text(sketch.sources, place.path, place.line)}",
+            )  # fmt: skip
+
+
+def _text(sources: Mapping[str, bytes], path: str, line: int) -> str:
+    lines = sources[path].decode("utf-8", "replace").splitlines() if path in sources else []
+    return " ".join(lines[line - 1].split()) if 0 < line <= len(lines) else ""

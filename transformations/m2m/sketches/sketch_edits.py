@@ -1,0 +1,58 @@
+"""What the rules for programs whose platform stays take and give: the program with its move, and edits of its text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from msgspec import Struct
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
+from robosmi.transformations.queries.portability.board_move import BoardMove
+
+
+class MovedSketch(Struct, frozen=True):
+    """A program whose platform stays, and the move of its board.
+
+    Attributes:
+        views: a view of each unit; paths of units are relative to the models' folder.
+        sources: path of a unit -> its bytes.
+        move: from which board to which.
+        places: the places that may behave differently there.
+    """
+
+    views: Sequence[CodeView]
+    sources: Mapping[str, bytes]
+    move: BoardMove
+    places: Sequence[PortabilityPlace]
+
+    def lines(self, kind: str, view: CodeView) -> frozenset[int]:
+        """The lines of a unit with places of a kind."""
+        path = str(view.unit.path)
+        return frozenset(place.line for place in self.places if place.kind == kind and place.path == path)
+
+
+class SketchEdit(Struct, frozen=True):
+    """A change of a program's text by which it behaves on the other board as on its own.
+
+    Attributes:
+        element: what is changed; it stands in the unit whose text changes.
+        rule: the rule, as dispositions name it.
+        reason: why, a sentence for the report.
+        replacements: the changes of the unit's text.
+        kind: the kind of places that it cures; empty for an edit that cures none.
+        lines: the lines of these places, in the element's unit.
+    """
+
+    element: ccode.Located
+    rule: str
+    reason: str
+    replacements: tuple[Replacement, ...]
+    kind: str = ""
+    lines: tuple[int, ...] = ()
+
+
+SketchRule = Callable[[MovedSketch], Iterator[SketchEdit]]
+"""A rule: from a program to its edits."""
