@@ -16,6 +16,9 @@ from robosmi.verify.original_coverage import coverage, reached
 from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse
 
+_SECOND_S = 0.002
+"""Measured with polling programs."""
+
 
 class HostOriginal(Struct, frozen=True):
     """A program that is linked with a host model.
@@ -50,6 +53,11 @@ class HostOriginal(Struct, frozen=True):
     def store_bytes(self) -> int:
         """How many bytes of the board's memory are told apart."""
         return self.program.store_bytes
+
+    @property
+    def second_s(self) -> float:
+        """See `Original`."""
+        return _SECOND_S
 
     @property
     def counts_bytes(self) -> int:

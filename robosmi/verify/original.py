@@ -158,6 +158,10 @@ class Original(Protocol):
         """How many bytes of that memory are told apart; all if 0."""
 
     @property
+    def second_s(self) -> float:
+        """Estimated seconds of a typical machine for each simulated one."""
+
+    @property
     def counts_bytes(self) -> int:
         """The size of what a run leaves as `OriginalRun.counts`."""
 

@@ -16,7 +16,7 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import UsageError
 from robosmi.files.commit import again_when_changed
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover

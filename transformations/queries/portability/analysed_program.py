@@ -14,7 +14,6 @@ from robosmi.transformations.queries.portability.board_move import BoardMove
 from robosmi.transformations.queries.portability.names import ForeignName, foreign_names
 from robosmi.transformations.queries.portability.pin_origins import PinOrigin, PinOrigins
 
-
 DIFFERS = "RS346"
 """The rule of a place that behaves differently on the target, and that no rule of `m2m.sketches` changes."""
 

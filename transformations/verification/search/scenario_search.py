@@ -74,7 +74,7 @@ def search(
         steps: the number of steps of a variable that the program tells apart.
         numbers: the numbers that the program compares with what is typed or sent, each with the text to type before it.
     """
-    effort = SearchEffort(budget_s, clock_s=clock_s)
+    effort = SearchEffort(budget_s, clock_s=clock_s, second_s=program.second_s)
     made = Trials(program, ports, set(known), effort)
     inputs = scenario_inputs(ports, texts, types, steps)
     horizons = _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,))
