@@ -423,6 +423,8 @@ class ApiParameter(Element, metaclass=MetaEClass):
     """The number of consecutive pins from the argument on."""
     numberAt: int = EAttribute(eType=EInt, default_value=-1)
     """Index of the parameter with the number of elements in an array of pins; -1 for none."""
+    numbering: str = EAttribute(eType=EString, default_value="")
+    """What its numbers are, if they are not those of pins: `channel` of the converter, or `interrupt`."""
     none: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Constants that mean no pin."""
     componentRole: str = EAttribute(eType=EString, default_value="")
@@ -441,6 +443,7 @@ class ApiParameter(Element, metaclass=MetaEClass):
             rangeWith: int | None = None,
             span: int | None = None,
             numberAt: int | None = None,
+            numbering: str | None = None,
             none: Iterable[str] | None = None,
             componentRole: str | None = None,
         ) -> None: ...

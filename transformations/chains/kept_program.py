@@ -11,11 +11,13 @@ from robosmi.metamodels import platform
 from robosmi.transform import Trace
 from robosmi.transformations.chains.source_board import SourceBoard
 from robosmi.transformations.chains.stages.program import StoredProgram
+from robosmi.transformations.knowledge.platforms.board_pins import board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.sketches.kept_platform import keep_platform
+from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
 from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
 from robosmi.transformations.queries.portability.places import portability
@@ -35,6 +37,21 @@ class KeptProgram(Struct, frozen=True):
     left: Sequence[Finding]
 
 
+def new_board(
+    program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, source_board: SourceBoard | None
+) -> NewBoard | None:
+    """The board that pins are proposed on for a program whose platform stays; None for any other program."""
+    own = target.model.platform
+    pins = board_pins(own.boardMappings) if own is not None else None
+    if target.platform != api.name or source_board is None or api.board is None or pins is None:
+        return None
+    headers = {str(include.header) for view in program.views for include in view.unit.includes}
+    settings = api.settings.get("ports", {})
+    names = {name for header, taken in settings.get("buses", {}).items() if header in headers for name in taken}
+    labels = {str(pin.label) for pin in board.pins if names.intersection((pin.label, *pin.aliases))}
+    return NewBoard(board, pins, api.board, source_board.facts.board_model, settings.get("abilities", {}), labels)
+
+
 def kept_program(
     program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, source_board: SourceBoard | None
 ) -> KeptProgram | None:
@@ -44,6 +61,7 @@ def kept_program(
         return None
     move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
     places = portability(program.views, facts, move, program.copies)
-    trace = Trace()
-    dependence, left = keep_platform(MovedSketch(program.views, program.copies, move, places), trace)
+    own, trace = source_board.facts.model.platform, Trace()
+    mappings = list(own.boardMappings) if own is not None else []
+    dependence, left = keep_platform(MovedSketch(program.views, program.copies, move, places, mappings), trace)
     return KeptProgram(move, (dependence, trace), left)

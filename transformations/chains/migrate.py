@@ -27,7 +27,7 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.kept_program import KeptProgram, kept_program
+from robosmi.transformations.chains.kept_program import KeptProgram, kept_program, new_board
 from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
 from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
 from robosmi.transformations.chains.stages.choice_history import history_findings
@@ -80,8 +80,8 @@ def migration_chain() -> Chain:
     chain.given(*GIVEN, ranker_name=None, bench=False, stored=None)
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(target, makes="target", step="look up the target")
-    chain.call(source_api, makes="api", step="look up the source platform")
     chain.call(source_board, makes="source_board", step="look up the source board")
+    chain.call(source_api, makes="api", step="look up the source platform")
     chain.call(files_of_program, makes="program_files", step="find the program's files")
     chain.call(program, makes="program", step="read the program")
     chain.call(drawing, makes="drawing", step="read the drawing")
@@ -93,6 +93,7 @@ def migration_chain() -> Chain:
     chain.call(kept_program, makes="kept", step="find what behaves differently on another board")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
     chain.call(widenings, makes="widenings", step="keep the widths of numbers")
+    chain.call(new_board, makes="new_board", step="look up the pins of the new board")
     chain.call(bindings, makes="bindings", step="bind ports to pins")
     chain.call(library_decisions, makes="library_decisions", step="choose libraries")
     chain.call(models, makes="models", step="put the plan together")
@@ -107,17 +108,22 @@ def settings(files: Sequence[str | Path], project: Project | None) -> Project:
     return project if project is not None else project_of(Path(files[0]))
 
 
-def source_api(files: Sequence[Path], source_platform: str | None, settings: Project, target: TargetFacts) -> ApiIndex:
-    """What is known of the platform that the program was written for, with the pins that adapters of the target declare.
+def source_api(
+    files: Sequence[Path],
+    source_platform: str | None,
+    settings: Project,
+    target: TargetFacts,
+    source_board: SourceBoard | None,
+) -> ApiIndex:
+    """What is known of the platform that the program was written for, with its board, or with the pins that adapters declare.
 
     Raises:
-        UsageError: there is no such platform.
+        UsageError: there is no such platform, or its programs cannot be moved to the target.
     """
-    name = source_platform or settings.source_platform or platform_of_files([Path(file) for file in files])
-    check_source_platform(name)
-    api = ApiIndex.load(name)
+    api = ApiIndex.load(_source_platform(files, source_platform, settings))
+    name = api.name
     if target.platform == name:
-        return api
+        return api.on_board(source_board.pins) if source_board is not None else api
     if api.sketch is not None:
         raise UsageError(
             f"programs of '{name}' cannot be moved to the target '{target.target}', whose platform is '{target.platform}'",
@@ -126,14 +132,21 @@ def source_api(files: Sequence[Path], source_platform: str | None, settings: Pro
     return api.adapted(AdapterPins(adapter_files_of(settings, target, api)))
 
 
+def _source_platform(files: Sequence[Path], source_platform: str | None, settings: Project) -> str:
+    name = source_platform or settings.source_platform or platform_of_files([Path(file) for file in files])
+    check_source_platform(name)
+    return name
+
+
 def source_board(
-    files: Sequence[Path], api: ApiIndex, from_board: str | None, settings: Project, target: TargetFacts
+    files: Sequence[Path], source_platform: str | None, from_board: str | None, settings: Project, target: TargetFacts
 ) -> SourceBoard | None:
     """The board that the program runs on today; None on a platform that does not tell its boards apart.
 
     Raises:
-        UsageError: there is no such board.
+        UsageError: there is no such platform or board.
     """
+    api = ApiIndex.load(_source_platform(files, source_platform, settings))
     return find_source_board([Path(file) for file in files], api, from_board or settings.source_board, target.target)
 
 
@@ -254,8 +267,11 @@ def widenings(
     api: ApiIndex,
     target: TargetFacts,
     widths: str | None,
+    kept: KeptProgram | None,
 ) -> Widened:
     """The changes by which the program's numbers keep the widths that they have on the source."""
+    if kept is not None:
+        return Widened()
     return widened(program, program_files, judgement[0], api, target, widths)
 
 

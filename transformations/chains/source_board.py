@@ -12,6 +12,7 @@ from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import ccode
 from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.knowledge.board_models import mapped_boards
+from robosmi.transformations.knowledge.platforms.board_pins import BoardPins, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
@@ -31,6 +32,12 @@ class SourceBoard(Struct, frozen=True):
     facts: TargetFacts
     defines: Sequence[str]
     findings: Sequence[Finding]
+
+    @property
+    def pins(self) -> BoardPins | None:
+        """How programs name and number its pins."""
+        own = self.facts.model.platform
+        return board_pins(own.boardMappings) if own is not None else None
 
 
 def find_source_board(paths: Sequence[Path], api: ApiIndex, named: str | None, target: str | None) -> SourceBoard | None:

@@ -19,7 +19,7 @@ from robosmi.transformations.queries.circuits.component_kinds import kinds_of
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
-from robosmi.transformations.queries.plans.port_pins import bound_pin
+from robosmi.transformations.queries.plans.port_pins import bound_pin, source_name
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.validate import EVL, Fail
@@ -107,7 +107,7 @@ def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
             parts = [listed_parts(each) for each in (other, b)]
             differ = f", with different parts ({parts[0]} and {parts[1]})" if all(parts) and parts[0] != parts[1] else ""
             return Fail(
-                f"the original uses P{b.sourcePin} for the {named(other)} and the {named(b)}; they are now on separate pins, "
+                f"the original uses {source_name(b)} for the {named(other)} and the {named(b)}; they are now on separate pins, "
                 f"{there.label} and {pin.label}{differ}",
                 pin=pin.label,
             )

@@ -58,6 +58,9 @@ class PortSettings(TypedDict, total=False):
     usual: dict[str, list[str]]
     mirrored: list[str]
     discharges: list[str]
+    interrupt_of: str
+    abilities: dict[str, str]
+    buses: dict[str, list[str]]
 
 
 class RegisterSettings(TypedDict, total=False):
@@ -122,6 +125,7 @@ class PinOfParameter(TypedDict, total=False):
     span: int
     count: int
     none: list[str]
+    numbering: str
 
 
 class PinOfConvention(TypedDict, total=False):

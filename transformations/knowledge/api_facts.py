@@ -54,6 +54,8 @@ class PinParameter(NamedTuple):
         span: how many pins follow each other from the argument on.
         number: position of the argument that says how many elements of an array of pins count.
         none: constants that mean no pin.
+        numbering: what its numbers are, if they are not those of pins: `channel` or `interrupt` (`board_pins`).
+        numbers: of such a parameter, (number, number of the pin) on the board of the program.
     """
 
     position: int
@@ -63,6 +65,12 @@ class PinParameter(NamedTuple):
     span: int = 1
     number: int | None = None
     none: tuple[str, ...] = ()
+    numbering: str = ""
+    numbers: tuple[tuple[int, int], ...] = ()
+
+    def pin_of(self, number: int) -> int | None:
+        """The number of the pin that a number means; None if it means none."""
+        return dict(self.numbers).get(number) if self.numbering and self.numbers else number
 
 
 class Convention(Struct, frozen=True):

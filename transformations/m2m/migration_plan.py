@@ -30,6 +30,7 @@ from robosmi.transformations.m2m.ports.port_texts import port_changes
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
+from robosmi.transformations.queries.plans.kept_pins import kept_pins
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
@@ -214,12 +215,13 @@ def put_together(
         connections=connections,
         motorChannels=list(d.drawn.motor_channels) if d.drawn else [],
         portBindings=list(d.bindings),
-        portFlows=port_changes(d.ports, d.bindings, d.files, arrays=any(h.name == "ports" for h in d.dependence.helpers)),
         libraryChoices=list(d.choices),
         adapterUses=d.dependence.adapters,
         symbolUses=d.dependence.symbols,
         helpers=d.dependence.helpers,
     )
+    arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
+    plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=kept_pins(plan)))
     settle_libraries(plan)
     close_idle_choices(plan)
     mark_rewritten(plan)

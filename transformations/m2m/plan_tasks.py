@@ -21,9 +21,10 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.plans.kept_pins import proposed
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, source_name
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS
 from robosmi.transformations.queries.ports.idle_ports import is_idle
@@ -32,6 +33,8 @@ from robosmi.transformations.queries.source_text import SourceText
 
 _BARE_KEY = re.compile(r"[\w-]+")
 """A TOML key that needs no quotation marks."""
+WIRING = "RS347"
+"""The rule of the task to approve a proposed wiring."""
 Task = migration.PlanTask
 Level = migration.SeverityLevel
 
@@ -125,7 +128,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.open = not choice
 
 
-DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE, DIFFERS})
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE, DIFFERS, WIRING})
 """Rules whose tasks follow from decisions and are derived anew when a decision changes."""
 
 
@@ -211,7 +214,7 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
     for binding in plan.portBindings:
         if not binding.open:
             continue
-        others = [*binding.names, *([f"P{binding.sourcePin}"] if binding.sourcePin >= 0 and not binding.names else [])]
+        others = [*binding.names, *([source_name(binding)] if binding.sourcePin >= 0 and not binding.names else [])]
         others = [name for name in others if name != binding.name]
         pin = f" ({', '.join(others)})" if others and binding.origin != "convention" else ""
         what = f", {binding.what}," if binding.what else ""
@@ -229,6 +232,18 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
             elements=[binding],
             **_place(binding.element),  # type: ignore[arg-type]
         )
+
+
+def _proposed(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """The task to approve the pins that are proposed without a drawing."""
+    found = proposed(plan)
+    if found:
+        shown = ", ".join(f"{b.name}{f' ({source_name(b)})' * (b.name != source_name(b))} on {b.choice}" for b in found)
+        yield Task(
+            rule=WIRING, severity=Level.warning, effort="small", message=f"check the proposed wiring, and wire it so: {shown}",
+            fix='other pins with --bind NAME=PIN, or [bind] NAME = "PIN" in robosmi.toml; tick this when it is right',
+            elements=[*found], **_place(found[0].element),  # type: ignore[arg-type]
+        )  # fmt: skip
 
 
 def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -368,5 +383,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _pins, _different, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _proposed, _libraries, _unsupported, _assembler, _pins, _different, _unused,
 )  # fmt: skip

@@ -31,7 +31,8 @@ from robosmi.transformations.m2t.program_text import file_name, own_header, prog
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.circuits.connector_names import wire_name
-from robosmi.transformations.queries.plans.plan import keeps_platform, target_of
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform
+from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes

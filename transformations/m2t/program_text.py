@@ -17,7 +17,8 @@ from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.kept_text import kept_name
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.own_headers import headers_of_types, is_member, undeclared, undeclared_variables, unit_of
-from robosmi.transformations.queries.plans.plan import keeps_platform, preserves_main, target_of
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform
+from robosmi.transformations.queries.plans.plan import preserves_main, target_of
 from robosmi.transformations.queries.plans.plan_adapters import rest_levels
 from robosmi.transformations.queries.plans.verdicts import IN_PLACE
 from robosmi.transformations.queries.programs.main_function import main_of

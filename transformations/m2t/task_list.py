@@ -14,6 +14,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.choices import reason
+from robosmi.transformations.queries.plans.port_pins import source_name
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
 from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
@@ -143,8 +144,8 @@ def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> di
 def _port(binding: migration.PortBinding) -> dict[str, str]:
     return {
         "name": binding.name,
-        "pin": f"P{binding.sourcePin}" if binding.sourcePin >= 0 else "",
-        "names": ", ".join(n for n in dict.fromkeys([binding.name, *binding.names]) if n != f"P{binding.sourcePin}"),
+        "pin": source_name(binding),
+        "names": ", ".join(n for n in dict.fromkeys([binding.name, *binding.names]) if n != source_name(binding)),
         "component": binding.connection.component.title if binding.connection and binding.connection.component else "",
         "target": _target(binding),
         "what": binding.what,

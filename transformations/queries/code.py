@@ -138,12 +138,12 @@ class CodeView:
     @cached_property
     def values(self) -> Values:
         """The values that expressions of the unit have; what is once found is kept."""
-        return Values(self.program, self.unit)
+        return Values(self.program, self.unit, self.api.pin_constants)
 
     @cached_property
     def reached_values(self) -> ReachedValues:
         """The values that expressions of the unit may have while the program runs."""
-        return ReachedValues(self.program, self.unit)
+        return ReachedValues(self.program, self.unit, self.api.pin_constants)
 
     def called(self) -> dict[str, CalledFunction]:
         """Every function that is called and not defined in the program, by name, without computed callees and pure methods."""

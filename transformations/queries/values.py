@@ -12,7 +12,7 @@ given up as unknown.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Mapping
 from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
@@ -45,9 +45,11 @@ class Values:
     Args:
         program: the program, for its callers and macros.
         unit: the unit whose macros take precedence.
+        constants: constant of the platform -> its value on the board of the program.
     """
 
-    def __init__(self, program: ccode.Program, unit: ccode.SourceUnit) -> None:
+    def __init__(self, program: ccode.Program, unit: ccode.SourceUnit, constants: Mapping[str, int] | None = None) -> None:
+        self._constants = constants or {}
         self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
         self._own_macros = {str(m.name) for u in (unit, *included(unit)) for m in u.macros}
         """Macros of the unit and of the headers it includes; the parser may resolve their names to other declarations."""
@@ -109,7 +111,11 @@ class Values:
             return self._guarded(target, "parameter", self._parameter)
         if (target is None and str(reference.name) in self.macros) or str(reference.name) in self._own_macros:
             return self._macro(str(reference.name))
-        return [RUNTIME]
+        return self._constant(str(reference.name))
+
+    def _constant(self, name: str) -> list[Value]:
+        """The value of a constant of the platform; unknown for any other name."""
+        return [Value(self._constants[name], "constant") if name in self._constants else RUNTIME]
 
     def _variable(self, variable: ccode.Variable) -> list[Value]:
         """The value of a variable that the whole text gives exactly one value, else unknown."""
@@ -194,6 +200,8 @@ class Values:
     def _by_name(self, name: str) -> int | None:
         """The value of an enumerator or constant that a macro's body names; None where it has none or several."""
         declaration = self.names.get(name)
+        if declaration is None:
+            return self._constants.get(name)
         if isinstance(declaration, ccode.EnumerationLiteral):
             return int(declaration.value)
         values = self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else []

@@ -9,11 +9,13 @@ from functools import cache
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.model.elements.ordering import post_order
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import Machine
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
@@ -38,11 +40,11 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
         plan: the plan.
         texts: path in the output folder -> the text that was made.
     """
-    folder = f"{plan.name}/"
+    folder, kept = f"{plan.name}/", keeps_platform(plan)
     made = {
         name.removeprefix(folder): text.encode("utf-8", "surrogateescape")
         for name, text in texts.items()
-        if name.startswith(folder) and name.endswith(_CODE) and "/" not in name.removeprefix(folder)
+        if name.startswith(folder) and name.endswith(_CODE) and (kept or "/" not in name.removeprefix(folder))
     }
     pins = {text for b in plan.portBindings if b.pin is not None and (text := pin_literal(b.pin)).isidentifier()}
     pins |= {text for c in plan.connections if c.pin is not None and (text := pin_literal(c.pin)).isidentifier()}
@@ -52,7 +54,24 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
     return GeneratedProgram(
         made, header, str(target_of(plan).language), pins=pins, vast=vast,
         int_bits=machine.int_bits, char_signed=machine.char_signed,
+        api=ApiIndex.load(str(plan.target.name)).virtual_headers() if kept and plan.target is not None else None,
+        tabs=_tabs(plan) if kept else (), defines=_board_macros(plan) if kept else (),
     )  # fmt: skip
+
+
+def _tabs(plan: migration.MigrationPlan) -> list[str]:
+    """The files that are one text, in their order."""
+    suffix = target_of(plan).fileSuffix
+    names = [file_name(unit, plan) for unit in (plan.program.units if plan.program is not None else ())]
+    return [name for name in names if name.endswith(suffix)]
+
+
+def _board_macros(plan: migration.MigrationPlan) -> list[str]:
+    """The macros by which programs ask for the board and its processor."""
+    chip = plan.board.microcontroller if plan.board is not None else None
+    mappings = plan.target.boardMappings if plan.target is not None else ()
+    boards = [f"ARDUINO_{mapping.define}" for mapping in mappings if mapping.board is plan.board and mapping.define]
+    return [*boards, *([f"ARDUINO_ARCH_{str(chip.architecture).upper()}"] if chip is not None else []), "ARDUINO=10819"]
 
 
 def compiler_errors(

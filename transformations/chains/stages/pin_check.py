@@ -19,7 +19,7 @@ from robosmi.transformations.knowledge.adapters.adapter_checks import parameters
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, RULE as MOVED
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, text_in_place
+from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
 from robosmi.transformations.queries.text_changes import all_changes, decision_of, effective
 from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinCheck, PinNames, PinPlace, follow_pins
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
@@ -189,7 +189,7 @@ def _ports_of_one_name(plan: migration.MigrationPlan) -> Iterator[tuple[Finding,
     for name, count in Counter(str(b.name) for b in bound).items():
         same = [b for b in bound if b.name == name]
         if count > 1 and len({id(b.pin) for b in same}) < count:
-            numbers = ", ".join(f"P{b.sourcePin}" for b in same)
+            numbers = ", ".join(map(source_name, same))
             calls = [c for flow in plan.portFlows if any(b in same for b in flow.bindings) for c in flow.calls]
             yield (
                 _finding(f"the ports {numbers} are all called '{name}', and one pin serves them", _place_of(same[0].element)),

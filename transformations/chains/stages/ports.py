@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.ports.port_binding import UserPins, bind_ports
+from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard, propose_pins
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.plan_adapters import closure
@@ -43,8 +44,11 @@ def bindings(
     bind: Mapping[str, str],
     settings: Project,
     stored: StoredChoices | None,
+    new_board: NewBoard | None = None,
 ) -> list[migration.PortBinding]:
     """Bind each port of the program to a connection; flags precede the project file, and that precedes the stored plan.
+
+    Without a drawing, pins of `new_board` are proposed for a program whose platform stays.
 
     Raises:
         UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
@@ -56,7 +60,10 @@ def bindings(
     said = (UserPins(settings.bind, settings.places("bind", settings.bind)), UserPins({**bind}))
     limit, kept = default_number("choices", "limit"), (stored or NOTHING).ports
     split = split_functions(judgement[0].adapters)
-    return bind_ports(asked, api, source, connections, board, said, limit, kept, split)
+    made = bind_ports(asked, api, source, connections, board, said, limit, kept, split)
+    if new_board is not None and drawing is None:
+        propose_pins(asked.ports, made, new_board)
+    return made
 
 
 def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:
@@ -94,7 +101,7 @@ def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], 
             for call in _calls(use, str(needed.name), channels.get(function), views):
                 known = PinUse(_number(needed), "", "convention", function, way, int(call.line), call)
                 _add(conventional, needed, names, known)
-    asked = give_numbers(own, list(conventional.values()))
+    asked = give_numbers(own, list(conventional.values()), views[0].api.port_name)
     unasked = [p for p in found.ports if p.origin == "convention" and p.name not in conventional]
     return ProgramPorts([*own, *asked], found.flows, found.anything, unasked, found.shared)
 

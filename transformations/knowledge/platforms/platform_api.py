@@ -9,7 +9,7 @@ Also: a stored platform model as `ApiFacts`, so that a stored plan is checked wi
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from robosmi.metamodels import platform as pf
@@ -25,6 +25,7 @@ from robosmi.transformations.knowledge.api_facts import (
     PinFacts,
     PinParameter,
 )
+from robosmi.transformations.knowledge.platforms.board_pins import BoardPins, board_pins
 from robosmi.transformations.knowledge.platforms.platform_folder import facts_of, forget_folders, platform_folder
 
 if TYPE_CHECKING:
@@ -58,10 +59,11 @@ class ApiIndex:
     Args:
         facts: the facts about it.
         adapters: the target's adapters, which declare the pins of functions that the facts do not cover.
+        board: the pins of the board that the program runs on; None on a platform with one board.
     """
 
-    def __init__(self, facts: ApiFacts, adapters: DeclaredPins | None = None) -> None:
-        self._facts, self.adapters = facts, adapters
+    def __init__(self, facts: ApiFacts, adapters: DeclaredPins | None = None, board: BoardPins | None = None) -> None:
+        self._facts, self.adapters, self.board = facts, adapters, board
         self._headers, self._entries = facts.headers, facts.entries
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
         self._declared: dict[str, set[str]] = {}
@@ -79,11 +81,15 @@ class ApiIndex:
     def of(model: pf.Platform) -> ApiIndex:
         """The index of a stored platform model; it knows what the program of that plan uses, and no more."""
 
-        return ApiIndex(StoredFacts(model))
+        return ApiIndex(StoredFacts(model), board=board_pins(model.boardMappings))
 
     def adapted(self, adapters: DeclaredPins) -> ApiIndex:
         """The same platform, extended by what a target's adapters declare about the pins of its functions."""
         return ApiIndex(self._facts, adapters)
+
+    def on_board(self, board: BoardPins | None) -> ApiIndex:
+        """The same platform for programs that run on a board."""
+        return ApiIndex(self._facts, self.adapters, board)
 
     @property
     def name(self) -> str:
@@ -108,7 +114,23 @@ class ApiIndex:
     @property
     def ports(self) -> int:
         """How many ports a board of the platform has; their numbers begin with 0."""
-        return int(self.settings.get("ports", {}).get("count", _PORTS))
+        return self.board.count if self.board is not None else int(self.settings.get("ports", {}).get("count", _PORTS))
+
+    def port_name(self, number: int) -> str:
+        """What a port is called by its number alone."""
+        return self.board.labels.get(number, f"D{number}") if self.board is not None else f"P{number}"
+
+    def port_number(self, name: str) -> int | None:
+        """The number of a port that a person names by it; None for another name."""
+        if self.board is not None:
+            return self.board.names.get(name)
+        return int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
+
+    @cached_property
+    def pin_constants(self) -> Mapping[str, int]:
+        """Constant of the platform that is a pin of the board -> its number."""
+        names = self.board.names if self.board is not None else {}
+        return {name: number for name, number in names.items() if name in self._entries}
 
     def header_kind(self, header: str) -> str | None:
         """platform, standard or posix; None for a header that the platform does not know."""
@@ -209,7 +231,16 @@ class ApiIndex:
     def pins(self, function: str, header: str) -> PinFacts | None:
         """The pins of a function: from its header, else from its adapter; None if neither declares any."""
         known = self._facts.pins.get((function, header))
-        return known if known is not None or self.adapters is None else self.adapters.of(function, header)
+        if known is None:
+            return self.adapters.of(function, header) if self.adapters is not None else None
+        if self.board is None or not any(parameter.numbering for parameter in known.parameters):
+            return known
+        return PinFacts(tuple(self._numbered(parameter) for parameter in known.parameters), known.conventions)
+
+    def _numbered(self, parameter: PinParameter) -> PinParameter:
+        assert self.board is not None
+        numbers = self.board.numbers(parameter.numbering) if parameter.numbering else {}
+        return parameter._replace(numbers=tuple(numbers.items()))
 
     def meaning(self, function: str) -> FunctionMeaning:
         """The known facts about a function: parameters, blocking, startsCog."""
@@ -342,6 +373,7 @@ def _pin(position: int, parameter: pf.ApiParameter) -> PinParameter:
         int(parameter.span),
         None if parameter.numberAt < 0 else int(parameter.numberAt),
         tuple(parameter.none),
+        str(parameter.numbering or ""),
     )
 
 

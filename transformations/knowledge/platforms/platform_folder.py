@@ -235,6 +235,7 @@ def _pin_facts(fact: FunctionPins) -> PinFacts:
                 p.get("span", 1),
                 p.get("count"),
                 tuple(p.get("none", [])),
+                p.get("numbering", ""),
             )
             for p in fact.get("parameters", [])
         ),

@@ -131,6 +131,7 @@ def _port(pin: PinParameter) -> dict[str, Any]:
         "span": pin.span,
         "numberAt": -1 if pin.number is None else pin.number,
         "none": list(pin.none),
+        "numbering": pin.numbering,
     }
 
 

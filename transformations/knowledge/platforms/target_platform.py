@@ -390,11 +390,11 @@ def target_repository(
     made.libraries.extend(libraries)
     if facts.shared is not None:
         made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in KINDS})
-    chip = board.microcontroller
+    sources = [mapping.board for mapping in source.boardMappings if mapping.board is not None]
     return platform.PlatformRepository(
         platforms=[source, made],
-        boards=[board],
-        microcontrollers=[chip] if chip is not None else [],
+        boards=[board, *sources],
+        microcontrollers=list(dict.fromkeys(c for b in (board, *sources) if (c := b.microcontroller) is not None)),
         toolchains=[target.toolchain] if target.toolchain is not None else [],
         targets=[target],
     )

@@ -15,8 +15,9 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, RULES
-from robosmi.transformations.m2m.ports.port_texts import RULE as PORT, replacement
+from robosmi.transformations.m2m.ports.port_texts import MOVES, replacement
 from robosmi.transformations.queries.plans.binding_edits import writes
+from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, kept_pins
 from robosmi.transformations.queries.plans.port_pins import port_text
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
@@ -67,11 +68,14 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
         ModelError: one port has two bindings, or a change of a port is in no source unit.
     """
     _decided_once(plan)
+    kept = kept_pins(plan)
     for binding in plan.portBindings:
-        for change in (c for c in binding.changes if c.rule == PORT):
+        for change in (c for c in binding.changes if c.rule in MOVES):
             text = _text_of(change, texts)
-            new = replacement(binding, text.data[change.startOffset : change.endOffset])
-            if not writes(change, port_text(binding) or new):
+            rule, new = replacement(binding, text.data[change.startOffset : change.endOffset], kept)
+            if kept is not None:
+                change.rule, change.replacement = rule, new
+            elif not writes(change, port_text(binding) or new):
                 change.replacement, change.reason = new, f"{binding.name} is {binding.choice or 'not bound'} on the target"
     mark_rewritten(plan)
 
@@ -101,7 +105,7 @@ def mark_rewritten(plan: migration.MigrationPlan) -> None:
     """Mark elements whose text a port binding changes as rewritten, and as retained again if the binding is gone."""
     ports: dict[int, list[tuple[int, int]]] = {}
     for c in effective(all_changes(plan)):  # in text order, and none within another
-        if isinstance(decision_of(c), (migration.PortBinding, migration.PortFlow)):
+        if isinstance(decision_of(c), (migration.PortBinding, migration.PortFlow)) and c.rule != AS_WRITTEN:
             ports.setdefault(id(c.unit), []).append((int(c.startOffset), int(c.endOffset)))
     for disposition in plan.dispositions:
         element = disposition.element

@@ -200,17 +200,19 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
     found: dict[str, tuple[str, str]] = {}
     for name, pin in layer.pins.items():
         port = next((p for p in ports if name == p.name or name in p.names), None)
-        number = int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
+        number = api.port_number(name)
+        if port is None and number is not None:
+            port = next((p for p in ports if p.pin == number and p.origin != "convention"), None)
         if port is None and (port := next((p for p in program.unasked if name == p.name or name in p.names), None)) is not None:
             ports.append(port)
         if port is None and program.anything and number is not None and number < api.ports:
             holder = next((p.element for p in ports), None)
-            port = Port(f"P{number}", "runtime", holder, number)  # type: ignore[arg-type]
+            port = Port(api.port_name(number), "runtime", holder, number)  # type: ignore[arg-type]
             ports.append(port)
         if port is None:
             known = sorted({alias for p in ports for alias in (p.name, *p.names)})
             if name in program.shared:
-                numbers = ", ".join(f"P{pin}" for pin in program.shared[name])
+                numbers = ", ".join(api.port_name(pin) for pin in program.shared[name])
                 with placed(layer.places.get(name)):
                     raise UsageError(f"'{name}' means several ports of the program: {numbers}", fix="bind each by its number")
             with placed(layer.places.get(name), _ANOTHER_PROGRAM):

@@ -18,13 +18,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
 from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
-from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, text_in_place
+from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, OF_INTERRUPT, KeptPins
+from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, bound_pin, text_in_place
 from robosmi.transformations.queries.ports.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.values import Value
 
 RULE = "port"
 """Id of the rule that replaces a port's number by a pin."""
+MOVES = frozenset({RULE, AS_WRITTEN, OF_INTERRUPT})
+"""Ids of the rules of the places where a port's number is written."""
 LOOK_UP = "port-look-up"
 """Id of the rule that looks up a port's pin where the port is passed to a platform function."""
 NEXT = "enumerator-after-port"
@@ -34,7 +38,12 @@ _REASONS = 4
 
 
 def port_changes(
-    ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], *, arrays: bool = False
+    ports: ProgramPorts,
+    bindings: Sequence[migration.PortBinding],
+    sources: Mapping[str, bytes],
+    *,
+    arrays: bool = False,
+    kept: KeptPins | None = None,
 ) -> list[migration.PortFlow]:
     """Make the flows of a plan, and the text changes of flows and bindings.
 
@@ -45,6 +54,7 @@ def port_changes(
         bindings: the decision for each port; their changes are set here.
         sources: path of a unit -> its bytes.
         arrays: whether the target has a helper that looks up arrays of ports.
+        kept: the pins of both boards for a program whose platform stays; None for any other.
     """
     numbers = {b.sourcePin: b for b in bindings if b.sourcePin >= 0 and b.origin != "convention"}
     for binding in bindings:
@@ -56,7 +66,7 @@ def port_changes(
         if each.moved:
             for place in _distinct(each.flow.places):
                 if place.value in numbers:
-                    changed = [_moved(place, numbers[place.value], sources), *_next(place, moved, sources)]
+                    changed = [_moved(place, numbers[place.value], sources, kept), *_next(place, moved, sources)]
                     numbers[place.value].changes.extend(changed)
             changes: list[migration.TextChange] = []
         else:
@@ -110,8 +120,9 @@ def _flow(
 
 def _where(argument: PinArgument) -> str:
     """The place of a call that takes a pin: its line, or the macro whose body contains it."""
-    macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if argument.call is None else []
-    line = argument.call.line if argument.call is not None else 0
+    taker = argument.call if argument.call is not None else argument.construction
+    macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if taker is None else []
+    line = taker.line if taker is not None else 0
     return f"in the macro '{macros[0].name}'" if macros else f"in line {line}"
 
 
@@ -124,11 +135,13 @@ def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:
             yield place
 
 
-def _moved(place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes]) -> migration.TextChange:
+def _moved(
+    place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes], kept: KeptPins | None
+) -> migration.TextChange:
+    rule, text = replacement(binding, sources[place.unit.path][place.start : place.end], kept)
     return migration.TextChange(
-        unit=place.unit, startOffset=place.start, endOffset=place.end,
-        replacement=replacement(binding, sources[place.unit.path][place.start : place.end]),
-        rule=RULE, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
+        unit=place.unit, startOffset=place.start, endOffset=place.end, replacement=text,
+        rule=rule, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
     )  # fmt: skip
 
 
@@ -151,11 +164,15 @@ def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> li
     ]  # fmt: skip
 
 
-def replacement(binding: migration.PortBinding, original: bytes) -> str:
-    """The text that replaces a port's number; an enumerator keeps its name."""
-    value = text_in_place(binding)
-    name = _NAME.match(original.decode("utf-8", errors="replace"))
-    return f"{name[0]} = {value}" if name is not None else value
+def replacement(binding: migration.PortBinding, original: bytes, kept: KeptPins | None) -> tuple[str, str]:
+    """The rule and the text of the change of a port's number; an enumerator keeps its name."""
+    value, given, pin = text_in_place(binding), original.decode("utf-8", errors="replace"), bound_pin(binding)
+    if kept is not None and pin is not None:
+        return kept.written(binding, pin, given)
+    name = _NAME.match(given)
+    if kept is not None and name is not None and name[0] in kept.source.names:
+        return RULE, value
+    return RULE, f"{name[0]} = {value}" if name is not None else value
 
 
 def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
@@ -180,7 +197,7 @@ def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.T
 def _around(argument: PinArgument, sources: Mapping[str, bytes], place: int, arrays: bool) -> tuple[str, str] | None:
     """The text before and after an argument that looks up its pin; None for an array if the target has no helper for arrays."""
     if argument.parameter.number is None:
-        return "port(", ")"
+        return ("port_of_channel(" if argument.parameter.numbering == CHANNEL else "port("), ")"
     given = list(argument.call.arguments) if argument.call is not None else []
     if not arrays or argument.parameter.number >= len(given):
         return None

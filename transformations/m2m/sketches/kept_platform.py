@@ -41,6 +41,7 @@ def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[F
     includes = [include.header for view in views for include in view.unit.includes]
     words = words_of(sketch.sources[view.unit.path] for view in views)
     made.source = platform_part(views[0].api, [*called, *symbols], includes, words, [view.includes for view in views])
+    made.source.boardMappings.extend(sketch.board)
     code = ProgramModel(views)
     judged = _dispositions(code, views)
     judged.run()

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
-from robosmi.metamodels import ccode
+from robosmi.metamodels import ccode, platform
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
@@ -21,12 +21,14 @@ class MovedSketch(Struct, frozen=True):
         sources: path of a unit -> its bytes.
         move: from which board to which.
         places: the places that may behave differently there.
+        board: how the platform calls the source board and its pins.
     """
 
     views: Sequence[CodeView]
     sources: Mapping[str, bytes]
     move: BoardMove
     places: Sequence[PortabilityPlace]
+    board: Sequence[platform.BoardMapping] = ()
 
     def lines(self, kind: str, view: CodeView) -> frozenset[int]:
         """The lines of a unit with places of a kind."""

@@ -17,6 +17,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer, pointed_functions, takes_number
@@ -45,6 +46,8 @@ class FlowReader:
         self.sources = sources
         self.holders = {view.unit.path: Holders([*view.unit.macros, *view.unit.macroUses]) for view in views}
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
+        self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
+        """Constant of the platform that is a pin of the board -> its number."""
         self.functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
         }
@@ -53,6 +56,7 @@ class FlowReader:
         for function in (e for view in views for e in view.elements if isinstance(e, ccode.Function) and e.definition):
             if isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)):
                 self._members.setdefault(str(function.name), []).append(function)
+        self._classes = Classes(views)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
@@ -155,6 +159,8 @@ class FlowReader:
             return self._result(expression)
         if isinstance(expression, ccode.IntegerLiteral):
             return self._literal(expression)
+        if isinstance(expression, ccode.ConstructorCall):
+            return self.key(expression)
         key = self.key(expression)
         if not isinstance(expression, ccode.ConditionalExpression):
             self.calculated(key, expression)
@@ -169,12 +175,14 @@ class FlowReader:
 
     def _name(self, reference: ccode.NameReference) -> Hashable:
         target = reference.target
-        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+        if isinstance(target, (ccode.Variable, ccode.Parameter)) and not self._is_constant(reference):
             return self.key(target)
         if isinstance(target, ccode.EnumerationLiteral):
             return self._enumerator(target)
         if reference.name in self.macros:
             return ("macro", str(reference.name))
+        if self._is_constant(reference):
+            return self._constant(reference)
         shared = self._shared.get(str(reference.name))
         if shared is not None:  # declared in a header that the parser did not see
             return self._enumerator(shared) if isinstance(shared, ccode.EnumerationLiteral) else self.key(shared)
@@ -192,10 +200,17 @@ class FlowReader:
     def _member(self, member: ccode.Member) -> Hashable:
         if member.object is None and _designates(member):
             return self.key(member)
-        if member.object is None:  # of the object that a method is called for, whose constructors are not followed
-            return self._once(self._field(str(member.name), None), f"'{member.name}' gets its value in a constructor")
+        if member.object is None:  # of the object that a method is called for
+            record = self._classes.around(member)
+            if record is not None and any(field.name == member.name for field in record.fields):
+                return self._own_field(str(member.name), record)
+            return self._once(self._field(str(member.name), None), f"'{member.name}' is a member of another class")
         whole = whole_of_member(member)
         return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
+
+    def _own_field(self, name: str, record: ccode.Record) -> Hashable:
+        """The key of a class's member."""
+        return self._field(name, record_key(record))
 
     def _field(self, name: str, record: Hashable | None) -> Hashable:
         """The key of a record's member; a member of an unknown record is joined with all members of its name."""
@@ -203,7 +218,8 @@ class FlowReader:
         known = self._fields.setdefault(name, {})
         if key not in known:
             known[key] = None
-            self.flows.freeze(key, f"'{name}' is a member of a structure")
+            if record is None or record not in self._classes.constructed:
+                self.flows.freeze(key, f"'{name}' is a member of a structure")
             if (unknown := ("field", name, None)) in known:
                 for other in known:
                     self.flows.join(unknown, other)
@@ -232,6 +248,26 @@ class FlowReader:
             self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
             if not _WRITTEN.match(self.sources[unit.path], start, end):
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
+        return key
+
+    def _is_constant(self, reference: ccode.NameReference) -> bool:
+        """Whether a name is a pin of the board by the platform, and not the program's own."""
+        own = isinstance(reference.target, (ccode.Variable, ccode.Parameter)) and ancestor_of_kind(
+            reference.target, ccode.SourceUnit
+        )
+        return str(reference.name) in self.constants and not own and str(reference.name) not in self._shared
+
+    def _constant(self, reference: ccode.NameReference) -> Hashable:
+        key = self.key(reference)
+        if key not in self._known:
+            self._known.add(key)
+            name, within, holder = initialised_constant(reference, self._initialisers)
+            unit = ancestor_of_kind(reference, ccode.SourceUnit)
+            assert unit is not None
+            start, end = int(reference.startOffset), int(reference.endOffset)
+            self.put(key, unit, start, end, self.constants[str(reference.name)], holder, name, within)
+            if self.sources[unit.path][start:end] != str(reference.name).encode():
+                self.flows.freeze(key, f"a macro makes it (line {reference.line})")
         return key
 
     def put(
@@ -277,6 +313,10 @@ class FlowReader:
                 self._return(element)
             elif isinstance(element, ccode.Call):
                 self._call(element, view)
+            elif isinstance(element, ccode.ConstructorCall):
+                self._construction(element, view)
+            elif isinstance(element, ccode.MemberInitializer):
+                self._initial_member(element, view)
             elif isinstance(element, ccode.For) and element.range is not None:
                 for declaration in element.declaration.declarations if element.declaration is not None else ():
                     self.flows.freeze(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
@@ -309,9 +349,64 @@ class FlowReader:
     def _unseen_calls(self, function: ccode.Function) -> None:
         """Keep the numbers of what constructors and operators are given, since the code model does not have their calls."""
         around = function.eContainer()
-        hidden = str(function.name).startswith("operator") or (isinstance(around, ccode.Record) and function.name == around.name)
+        constructor = isinstance(around, ccode.Record) and function.name == around.name
+        hidden = str(function.name).startswith("operator") or (constructor and not self._classes.is_seen(str(function.name)))
         for parameter in function.parameters if hidden else ():
             self.flows.freeze(self.key(parameter), f"'{function.name}' is given it without a call in the text", computed=True)
+
+    def _construction(self, made: ccode.ConstructorCall, view: CodeView) -> None:
+        self._constructed(str(made.className), list(made.arguments), made, view)
+
+    def _constructed(
+        self,
+        name: str,
+        arguments: list[ccode.Expression],
+        made: ccode.ConstructorCall | ccode.MemberInitializer,
+        view: CodeView,
+    ) -> None:
+        """Join what an object is made with, with the parameters of its class's constructors, or let it end in pins."""
+        for function in self._classes.constructors(name, len(arguments)):
+            for parameter, argument in zip(function.parameters, arguments, strict=False):
+                self._give(self.key(parameter), argument)
+        for pin in self.constructor_pins(name, view):
+            if pin.position < len(arguments):
+                argument = arguments[pin.position]
+                start, end = int(argument.startOffset), int(argument.endOffset)
+                self.reach(self.value(argument), PinArgument(view.unit, start, end, name, pin, None, argument, construction=made))
+
+    def _initial_member(self, initial: ccode.MemberInitializer, view: CodeView) -> None:
+        """Give a member the value that a constructor initialises it with; a base class is constructed with it."""
+        record = self._classes.around(initial)
+        field = next((f for f in record.fields if f.name == initial.name), None) if record is not None else None
+        kind = str(initial.name) if field is None else type_name(field.valueType)
+        arguments = list(initial.arguments)
+        if field is None or self._classes.constructors(kind, len(arguments)) or self.constructor_pins(kind, view):
+            self._constructed(kind, arguments, initial, view)
+        elif record is not None and len(arguments) == 1:
+            self._give(self._own_field(str(field.name), record), arguments[0])
+
+    def takes(self, made: Element | None, position: int, view: CodeView) -> bool:
+        """Whether it is followed what becomes of an argument of a construction."""
+        if isinstance(made, ccode.ConstructorCall):
+            name, count = str(made.className), len(made.arguments)
+        elif isinstance(made, ccode.MemberInitializer):
+            record = self._classes.around(made)
+            field = next((f for f in record.fields if f.name == made.name), None) if record is not None else None
+            name, count = str(made.name) if field is None else type_name(field.valueType), len(made.arguments)
+            if field is not None and count == 1 and not self._classes.is_seen(name) and not self.constructor_pins(name, view):
+                return True
+        else:
+            return False
+        own = self._classes.constructors(name, count)
+        return bool(own) or any(pin.position == position for pin in self.constructor_pins(name, view))
+
+    def constructor_pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:
+        """The parameters of a class's constructors that are pins for the platform; none for a class of the program's own."""
+        if self._classes.is_own(name):
+            return ()
+        entry = view.resolve(name)
+        facts = view.api.pins(name, entry.header if entry is not None else "")
+        return facts.parameters if facts is not None else ()
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -498,12 +593,13 @@ class Initialisers:
         return self._written[variable]
 
 
-def initialised_constant(literal: ccode.IntegerLiteral, known: Initialisers) -> tuple[str, str, ccode.Located]:
+def initialised_constant(literal: ccode.IntegerLiteral | ccode.NameReference, known: Initialisers) -> tuple[str, str, ccode.Located]:
     """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
 
     The names are empty, and the element is the literal, where the literal initialises no constant.
     """
-    inner, outer = literal, literal.eContainer()
+    inner: ccode.Located = literal
+    outer = literal.eContainer()
     index = None
     while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
         if isinstance(outer, ccode.InitializerList):

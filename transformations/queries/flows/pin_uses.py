@@ -185,6 +185,8 @@ def pin_values(
         return _range(own, values.of(arguments[parameter.range_with]))
     if parameter.span > 1:
         return [v if v.number is None else Value(v.number + i, v.origin) for v in own for i in range(parameter.span)]
+    if parameter.numbering:
+        return [v if v.number is None else Value(parameter.pin_of(v.number), v.origin) for v in own]
     return own
 
 

@@ -24,6 +24,7 @@ class PortPlace(Struct, frozen=True):
         element: the literal, or the macro or enumerator that has the number in its text.
         name: of the constant or variable that holds it, `rows[2]` for an element of an array, empty for a bare number.
         within: the function that the name belongs to, empty at file scope.
+        wrapped: whether it is the number of an interrupt, in whose place the text needs the interrupt of a pin.
     """
 
     unit: ccode.SourceUnit
@@ -33,6 +34,7 @@ class PortPlace(Struct, frozen=True):
     element: ccode.Located
     name: str = ""
     within: str = ""
+    wrapped: bool = False
 
 
 class PinArgument(Struct, frozen=True):
@@ -47,6 +49,7 @@ class PinArgument(Struct, frozen=True):
         argument: the expression of the argument, None in the body of a macro.
         made: the calls that macros expand to with this argument, where they are known.
         unplaced: whether no place in the source stands for this argument alone, so that it cannot be looked up.
+        construction: the construction of an object of the platform, where that takes the pin instead of a call.
     """
 
     unit: ccode.SourceUnit
@@ -58,6 +61,13 @@ class PinArgument(Struct, frozen=True):
     argument: ccode.Expression | None = None
     made: tuple[ccode.Call, ...] = ()
     unplaced: bool = False
+    construction: ccode.ConstructorCall | ccode.MemberInitializer | None = None
+
+    @property
+    def given(self) -> list[ccode.Expression] | None:
+        """All arguments of the call or construction; None in the body of a macro."""
+        made = self.call if self.call is not None else self.construction
+        return list(made.arguments) if made is not None else None
 
     @property
     def translated(self) -> bool:

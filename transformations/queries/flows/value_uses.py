@@ -84,6 +84,10 @@ class ValueUses:
             return self._passed(expression, parent, view, name, line)
         if isinstance(parent, ccode.InitializerList):
             return ""
+        if isinstance(parent, (ccode.ConstructorCall, ccode.MemberInitializer)):
+            position = next((i for i, a in enumerate(parent.arguments) if a is expression), -1)
+            made = parent.className if isinstance(parent, ccode.ConstructorCall) else parent.name
+            return "" if self.reader.takes(parent, position, view) else f"{name} goes to '{made}' {line}"
         return f"{name} is {'an index' if kind == 'Index' else 'tested' if kind in _TESTS else 'used in another way'} {line}"
 
     def _passed(self, expression: ccode.Expression, call: ccode.Call, view: CodeView, name: str, line: str) -> str:

@@ -56,11 +56,6 @@ def preserves_main(plan: migration.MigrationPlan) -> bool:
     return target_of(plan).structure is platform.EntryStructure.mainFunction
 
 
-def keeps_platform(plan: migration.MigrationPlan) -> bool:
-    """Whether the program stays on its platform and is moved to another board of it, so that its text stays as it is."""
-    return plan.source is not None and plan.target is not None and plan.source.name == plan.target.name
-
-
 def called(plan: migration.MigrationPlan) -> str:
     """What users call a program of the plan's target: a sketch if it consists of setup and loop, else a program."""
     made_for = plan.targetDescription

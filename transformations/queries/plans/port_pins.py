@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from robosmi.metamodels import migration, platform
+from robosmi.query import root_of
+from robosmi.transformations.knowledge.platforms.board_pins import board_pins
 from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 
 NOT_WIRED = "none"
@@ -22,11 +25,24 @@ def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
     return binding.pin or (binding.connection.pin if binding.connection is not None else None)
 
 
+def source_name(binding: migration.PortBinding) -> str:
+    """What the port of a binding is called by its number on the source board; empty if it has none."""
+    if binding.sourcePin < 0:
+        return ""
+    source = root_of(binding)
+    board = board_pins(source.source.boardMappings) if isinstance(source, migration.MigrationPlan) and source.source else None
+    return board.labels.get(int(binding.sourcePin), "") if board is not None else f"P{binding.sourcePin}"
+
+
 def port_text(binding: migration.PortBinding) -> str | None:
-    """The text for a port on the target: its connection's name, else its pin's literal; None if it has no pin."""
-    if binding.connection is not None:
+    """The text for a port on the target: its connection's name, else its pin's literal; None if it has no pin.
+
+    A program whose platform stays has no constants for connections.
+    """
+    if binding.connection is not None and not keeps_platform(root_of(binding)):
         return str(binding.connection.name)
-    return pin_literal(binding.pin) if binding.pin is not None else None
+    pin = bound_pin(binding)
+    return pin_literal(pin) if pin is not None else None
 
 
 def text_in_place(binding: migration.PortBinding) -> str:
@@ -34,7 +50,7 @@ def text_in_place(binding: migration.PortBinding) -> str:
     text = port_text(binding)
     if text is not None:
         return text
-    called = f"P{binding.sourcePin}" if binding.sourcePin >= 0 else binding.name
+    called = source_name(binding) if binding.sourcePin >= 0 else binding.name
     return f"{UNBOUND} /* {called} is not wired{'' if binding.choice == NOT_WIRED else ' yet'} */"
 
 

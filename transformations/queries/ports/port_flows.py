@@ -26,11 +26,12 @@ from bisect import bisect_left
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from functools import cached_property
 
-from msgspec import Struct
+from msgspec import Struct, structs
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.flow_reader import FlowReader, view_text
 from robosmi.transformations.queries.flows.pin_uses import pin_number
@@ -58,7 +59,7 @@ def port_flows(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> list[
         uses.follow(view)
     follow_macros(reader)
     follow_expanded(reader)
-    found = [flow for flow in reader.flows.all() if flow.arguments]
+    found = [flow for flow in reader.flows.all() if flow.arguments and _numbered_as_pins(flow)]
     count = next((view.api.ports for view in views), 0)
     for flow in found:
         beyond = sorted({place.value for place in flow.places if place.value >= count})
@@ -66,6 +67,33 @@ def port_flows(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> list[
         flow.places.sort(key=lambda p: (p.unit.path, p.start))
         flow.arguments.sort(key=lambda a: (a.unit.path, a.start))
     return sorted(found, key=lambda f: (f.arguments[0].unit.path, f.arguments[0].start))
+
+
+def _numbered_as_pins(flow: Flow) -> bool:
+    """Let the numbers of a flow be those of pins, where functions take those of channels or interrupts; whether it is of pins.
+
+    A flow of numbers of interrupts that cannot be changed where they are written is none: nothing could look them up.
+    """
+    numbered = [argument.parameter for argument in flow.arguments if argument.parameter.numbering]
+    kinds = {argument.parameter.numbering for argument in flow.arguments}
+    if not numbered:
+        return True
+    if INTERRUPT in kinds and (len(kinds) > 1 or flow.kept or flow.computed or not flow.places):
+        flow.arguments = [argument for argument in flow.arguments if argument.parameter.numbering != INTERRUPT]
+        return bool(flow.arguments)
+    meant = [numbered[0].pin_of(place.value) for place in flow.places]
+    if INTERRUPT in kinds and None in meant:
+        return False
+    others = [argument for argument in flow.arguments if argument.parameter.numbering == "" and argument.parameter.direction != "unknown"]
+    places = zip(flow.places, meant, strict=True)
+    if others and any(number not in (None, place.value) for place, number in places):
+        flow.kept.append(f"{flow.places[0].value} is a channel for '{numbered[0].name}', and a pin for '{others[0].function}'")
+        return True
+    flow.places = [
+        structs.replace(place, value=number, wrapped=kinds == {INTERRUPT}) if number is not None else place
+        for place, number in zip(flow.places, meant, strict=True)
+    ]
+    return True
 
 
 class _Text(Struct, frozen=True):
@@ -364,7 +392,13 @@ def follow_argument(
         keys = keys_of(reader, tokens[0][3], own, macro)
         for key in keys:
             reader.flows.join(taker, key)
-        if not keys:  # declared in the body itself, or nowhere
+        if not keys and tokens[0][3] in reader.constants:
+            place = ("place", unit.path, tokens[0][1])
+            if not reader.flows.has(taker, str(unit.path), tokens[0][1]):
+                value = reader.constants[tokens[0][3]]
+                reader.put(place, unit, tokens[0][1], tokens[0][2], value, _element(reader, unit, tokens[0]), "")
+                reader.flows.join(taker, place)
+        elif not keys:  # declared in the body itself, or nowhere
             reader.flows.freeze(taker, f"'{tokens[0][3]}' is not the program's own", computed=True)
         return
     for token in tokens:
@@ -442,7 +476,10 @@ class _MacroBody:
                     flows.freeze(other, f"'{token[3]}' is used in the macro '{self.name}'")
 
     def _single(self, token: Token, key: Hashable) -> None:
-        if token[0] == "name":
+        if token[0] == "name" and token[3] in self.reader.constants:
+            value = self.reader.constants[token[3]]
+            self.reader.put(key, self.view.unit, token[1], token[2], value, self.macro, self.name)
+        elif token[0] == "name":
             for other in self.reader.named(token[3]) or [("name", token[3])]:
                 if other[:1] == ("name",):  # type: ignore[index]
                     self.reader.flows.freeze(other, f"'{token[3]}' is not the program's own", computed=True)

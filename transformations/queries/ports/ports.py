@@ -7,7 +7,7 @@ a bit of a register. What a library uses by convention, without a number in the 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
@@ -116,26 +116,28 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
     masks = PortMasks(views)
     bits = [use for view in views for use in register_bits(view, masks)]
     found: dict[int, Port] = {}
+    called = views[0].api.port_name if views else "P{}".format
     for number, element in _reached(through, [use for use in bits if use.pin is not None and use.pin < count]):
-        found.setdefault(number, Port(f"P{number}", "runtime", element, number))
-    shared = _name(found, through)
+        found.setdefault(number, Port(called(number), "runtime", element, number))
+    shared = _name(found, through, called)
     anything = any(f.anything for f in through) or any(use.pin is None for use in bits)
     _use(found, [*pin_uses(views), *bits, *_in_macros(through)], through)
     own = list(found.values())
-    return ProgramPorts([*own, *give_numbers(own, _conventional(views))], through, anything, shared=shared)
+    return ProgramPorts([*own, *give_numbers(own, _conventional(views), called)], through, anything, shared=shared)
 
 
-def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port]:
+def give_numbers(own: Sequence[Port], conventional: Sequence[Port], called: Callable[[int], str]) -> list[Port]:
     """Add its number as a further name to each conventional port whose number nothing else of the program uses.
 
     Args:
         own: the ports whose numbers are written in the text.
         conventional: the ports of conventions, which are returned.
+        called: the name of a number.
     """
     numbers = [port.pin for port in (*own, *conventional)]
     for port in conventional:
-        if port.pin is not None and numbers.count(port.pin) == 1 and f"P{port.pin}" not in port.names:
-            port.names.append(f"P{port.pin}")
+        if port.pin is not None and numbers.count(port.pin) == 1 and called(port.pin) not in port.names:
+            port.names.append(called(port.pin))
     return list(conventional)
 
 
@@ -149,8 +151,8 @@ def _flow_ports(
         known: list[Value] = []
         if argument.unplaced:
             unknown = True
-        elif argument.call is not None:
-            known = pin_values(argument.parameter, list(argument.call.arguments), argument.argument, values[argument.unit.path])
+        elif (given := argument.given) is not None:
+            known = pin_values(argument.parameter, given, argument.argument, values[argument.unit.path])
             unknown |= any(value.number is None for value in known)
         else:
             made[position] = [(c, _given_by(c, argument.parameter, values[v.unit.path])) for v, c in macros.of(argument)]
@@ -202,7 +204,7 @@ def _where(each: FlowPorts, number: int) -> ccode.Located:
     return (holders or reached or list[ccode.Located](each.calls) or [place.element for place in each.flow.places])[0]
 
 
-def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, list[int]]:
+def _name(found: Mapping[int, Port], through: Sequence[FlowPorts], called: Callable[[int], str]) -> dict[str, list[int]]:
     """Name the ports as the program does; a name of several ports is qualified with its function.
 
     Returns:
@@ -227,7 +229,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, 
             port.origin = "literal" if port.origin == "runtime" else port.origin
         elif port.origin != "declaration":
             port.origin, port.element, port.name = "declaration", place.element, name
-            port.names = [f"P{port.pin}"]
+            port.names = [called(place.value)]
         elif name != port.name and (port.pin, name) not in named and name not in port.names[-1:]:
             named.add((port.pin, name))
             port.names.insert(len(port.names) - 1, name)
@@ -240,7 +242,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, 
             taken = holder is not None and (holder[0] in shared or any(holder[0] == port.name for port in found.values()))
             if reached is not None and holder is not None and reached.origin != "declaration" and not taken:
                 reached.origin, reached.element = "declaration", holder[1]
-                reached.name, reached.names = holder[0], [f"P{reached.pin}"]
+                reached.name, reached.names = holder[0], [called(number)]
     return shared
 
 
@@ -285,7 +287,7 @@ def _in_macros(through: Sequence[FlowPorts]) -> Iterator[PinUse]:
     """The uses of pins in bodies of macros: one for each number of the flow, with a call that it reaches if one is known."""
     for each in through:
         for position, argument in enumerate(each.flow.arguments):
-            if argument.call is None:
+            if argument.given is None:
                 made = each.made.get(position, [])
                 for number in each.numbers:
                     reached = [call for call, numbers in made if number in numbers] or [call for call, _ in made]

@@ -14,6 +14,8 @@ from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, HEADERS
 from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts, shallow
+from robosmi.transformations.t2m.c_source.parsing.error_recovery import Scratch
+from robosmi.transformations.t2m.c_source.parsing.joined_tabs import prototypes
 
 _TYPES = b"""
 typedef __INT8_TYPE__ int8_t; typedef __INT16_TYPE__ int16_t; typedef __INT32_TYPE__ int32_t; typedef __INT64_TYPE__ int64_t;
@@ -58,6 +60,9 @@ class GeneratedProgram:
         vast: whether its types are too large for libclang, which takes memory for each member; then nothing is parsed.
         int_bits: width of an int of the target.
         char_signed: whether plain char has a sign there.
+        api: the headers of the target's API by their names, instead of `main_header` with types alone.
+        tabs: the files that the target's tools join to one text, in their order; each is parsed with the first one.
+        defines: macros of the target's board.
 
     Attributes:
         files: the files, as given.
@@ -78,10 +83,16 @@ class GeneratedProgram:
         *,
         int_bits: int = 16,
         char_signed: bool = True,
+        api: Mapping[str, bytes] | None = None,
+        tabs: Sequence[str] = (),
+        defines: Sequence[str] = (),
     ) -> None:
         self.files, self.adapters, self._vast = files, adapters, vast
         self.texts = {f"{SKETCH}/{name}": data for name, data in files.items()}
         self.texts[f"{SKETCH}/{adapters}"] = _BODIES.sub(rb"\1;", files.get(adapters, b""))
+        self._continued = frozenset(tabs[1:])
+        if tabs:
+            self.texts |= {f"{SKETCH}/{name}": data for name, data in _joined(files, tabs).items()}
         for data in files.values():
             for found in _INCLUDE.finditer(data):
                 name = found[1].decode("utf-8", "replace")
@@ -89,9 +100,13 @@ class GeneratedProgram:
                     self.texts[f"{_STUB}/{name}"] = b""
         own = _OF_CPP if language == "C++" else _OF_C
         named = "".join(f"extern const uint8_t {pin};\n" for pin in sorted(pins)).encode()
-        self.texts[f"{_STUB}/{main_header}"] = _TYPES % (b"bool" if language == "C++" else b"_Bool") + own + named
+        if api is not None:
+            self.texts |= {f"{_STUB}/{name}": data for name, data in api.items()}
+        else:
+            self.texts[f"{_STUB}/{main_header}"] = _TYPES % (b"bool" if language == "C++" else b"_Bool") + own + named
+        before = ("-include", f"{_STUB}/{main_header}") if tabs else ()
         machine = ("-target", _MACHINES.get(int_bits, _MACHINES[32]), "-fsigned-char" if char_signed else "-funsigned-char")
-        self._flags, self._header = (*machine, *_FLAGS, *_LANGUAGE[language]), f"{_STUB}/{main_header}"
+        self._flags, self._header = (*machine, *_FLAGS, *_LANGUAGE[language], *(f"-D{each}" for each in defines), *before), f"{_STUB}/{main_header}"
         self.unread: list[str] = []
         self.units = self._parsed(self._flags)
         self._handles = [unit for _, unit in self.units]
@@ -112,13 +127,24 @@ class GeneratedProgram:
 
     def _parsed(self, flags: Sequence[str]) -> list[tuple[str, int]]:
         virtual = clang.unsaved(self.texts)
-        names = [name for name in self.files if not name.lower().endswith(HEADERS)]
+        names = [name for name in self.files if not name.lower().endswith(HEADERS) and name not in self._continued]
         if self._vast or any(_nests_too_deep(path, text) for path, text in self.texts.items()):
             self.unread = names  # libclang would overrun its stack or memory
             return []
         read = [(name, clang.parse(f"{SKETCH}/{name}", flags, virtual, _ON_AFTER_MISSING)) for name in names]
         self.unread = [name for name, unit in read if unit is None]
         return [(name, unit) for name, unit in read if unit is not None]
+
+
+def _joined(files: Mapping[str, bytes], tabs: Sequence[str]) -> dict[str, bytes]:
+    """The files of a sketch's text so that the first one is the whole: with prototypes, and the others included at its end.
+
+    Lines stay where they are.
+    """
+    read = [tokens(files[name]) for name in tabs]
+    made = {name: Scratch(files[name], prototypes(read[at], read[at + 1 :])).data for at, name in enumerate(tabs)}
+    made[tabs[0]] += "".join(f'\n#include "{name}"' for name in tabs[1:]).encode()
+    return made
 
 
 def _nests_too_deep(path: str, text: bytes) -> bool:

@@ -1,0 +1,87 @@
+"""The classes that a program declares, with their constructors: who makes objects of them, and with what, is in the text.
+
+Limits: constructors that differ in types alone are not told apart; conversions that nobody writes are not seen.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Iterable, Sequence
+from functools import cached_property
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.member_records import record_key
+
+_OF_CLASS = re.compile(r"(\w+)::~?\w+\s*\(")
+
+
+class Classes:
+    """The classes of one program.
+
+    Args:
+        views: a view of each of its units.
+    """
+
+    def __init__(self, views: Sequence[CodeView]) -> None:
+        self._views = views
+
+    @cached_property
+    def _records(self) -> dict[str, ccode.Record]:
+        found = (record for view in self._views for record in view.of_kind(ccode.Record) if record.name)
+        return {str(record.name): record for record in found}
+
+    @cached_property
+    def _constructors(self) -> dict[str, list[ccode.Function]]:
+        found: dict[str, list[ccode.Function]] = {}
+        for function in (f for view in self._views for f in view.of_kind(ccode.Function)):
+            record = self._class_of(function)
+            if function.definition and record is not None and function.name.rpartition("::")[2] == record.name:
+                found.setdefault(str(record.name), []).append(function)
+        return found
+
+    @cached_property
+    def _made(self) -> frozenset[str]:
+        """The classes of which the text makes objects with arguments."""
+        made = {str(call.className) for view in self._views for call in view.of_kind(ccode.ConstructorCall)}
+        initials = (initial for view in self._views for initial in view.of_kind(ccode.MemberInitializer))
+        fields = {str(field.name): type_name(field.valueType) for view in self._views for field in view.of_kind(ccode.Field)}
+        return frozenset(made | {fields.get(str(initial.name), str(initial.name)) for initial in initials})
+
+    @cached_property
+    def constructed(self) -> frozenset[Hashable]:
+        """The keys of the classes whose members get their values in constructors."""
+        keys: Iterable[Hashable | None] = (record_key(self._records[name]) for name in self._constructors)
+        return frozenset(key for key in keys if key is not None)
+
+    def is_own(self, name: str) -> bool:
+        """Whether the program declares a class."""
+        return name in self._records
+
+    def is_seen(self, name: str) -> bool:
+        """Whether the text makes objects of a class of the program with arguments."""
+        return name in self._constructors and name in self._made
+
+    def constructors(self, name: str, count: int) -> list[ccode.Function]:
+        """The constructors of a class that may be given a number of arguments."""
+        return [function for function in self._constructors.get(name, ()) if count <= len(function.parameters)]
+
+    def around(self, element: Element) -> ccode.Record | None:
+        """The class whose member function contains an element; None outside of such a function."""
+        function = ancestor_of_kind(element, ccode.Function)
+        return self._class_of(function) if function is not None else None
+
+    def _class_of(self, function: ccode.Function) -> ccode.Record | None:
+        around = function.eContainer()
+        if isinstance(around, ccode.Record):
+            return around
+        match = _OF_CLASS.search(str(function.signature or ""))
+        return self._records.get(match[1]) if match is not None else None
+
+
+def type_name(use: ccode.TypeUse | None) -> str:
+    """The name of a type without qualifiers, pointers and references; empty for none."""
+    words = str(use.spelling).replace("*", " ").replace("&", " ").split() if use is not None else []
+    return " ".join(word for word in words if word not in ("const", "volatile", "struct", "class"))
