@@ -27,6 +27,7 @@ from robosmi.transformations.chains.stages.models import MigrationModels, stored
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.m2t.kept_text import STORED as STORED_FILES
 from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
@@ -41,6 +42,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import (
     resting_pins,
     texts_understood,
 )
+from robosmi.transformations.verification.engine_original import engine_original, source_board_of
 from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, ComparedScenario, compare_scenarios
@@ -375,6 +377,10 @@ def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
+    if (board := source_board_of(plan)) is not None:
+        files = {path.removeprefix(STORED_FILES): text for path, text in _sources(models).items()}
+        main = str(plan.program.units[0].path).removeprefix(STORED_FILES)
+        return engine_original(files, main, str(plan.source.name), board, place)
     stored = place / "stored"
     files = written_sources(list(plan.program.units), _sources(models), stored)
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]

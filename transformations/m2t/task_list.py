@@ -14,9 +14,9 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.choices import reason
-from robosmi.transformations.queries.plans.port_pins import source_name
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
+from robosmi.transformations.queries.plans.port_pins import source_name
 from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 

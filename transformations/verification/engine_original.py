@@ -20,7 +20,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.errors import EngineCrashError, TimeLimitError, VerificationError
-from robosmi.metamodels import platform
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.verification.jobs import job, store_bytes
 from robosmi.verify.machine_lines import MachineLines, machine_lines
 from robosmi.verify.original import LibraryCall, OriginalRun, SourceCoverage, Variation
@@ -187,6 +187,12 @@ class EngineOriginal(Struct, frozen=True):
         digest = hashlib.sha256(f"{self.engine} {self.tracer} {self.board.name}".encode())
         digest.update(self.own.elf.read_bytes())
         return digest.digest()
+
+
+def source_board_of(plan: migration.MigrationPlan) -> platform.Board | None:
+    """The board of a plan's original, where its platform tells boards apart; None where a host model runs the original."""
+    mappings = plan.source.boardMappings if plan.source is not None else ()
+    return next((mapping.board for mapping in mappings if mapping.board is not None), None)
 
 
 def engine_original(

@@ -85,7 +85,7 @@ class ApiIndex:
 
     def adapted(self, adapters: DeclaredPins) -> ApiIndex:
         """The same platform, extended by what a target's adapters declare about the pins of its functions."""
-        return ApiIndex(self._facts, adapters)
+        return ApiIndex(self._facts, adapters, self.board)
 
     def on_board(self, board: BoardPins | None) -> ApiIndex:
         """The same platform for programs that run on a board."""

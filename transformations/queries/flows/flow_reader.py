@@ -593,7 +593,9 @@ class Initialisers:
         return self._written[variable]
 
 
-def initialised_constant(literal: ccode.IntegerLiteral | ccode.NameReference, known: Initialisers) -> tuple[str, str, ccode.Located]:
+def initialised_constant(
+    literal: ccode.IntegerLiteral | ccode.NameReference, known: Initialisers
+) -> tuple[str, str, ccode.Located]:
     """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
 
     The names are empty, and the element is the literal, where the literal initialises no constant.

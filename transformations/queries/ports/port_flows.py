@@ -84,7 +84,11 @@ def _numbered_as_pins(flow: Flow) -> bool:
     meant = [numbered[0].pin_of(place.value) for place in flow.places]
     if INTERRUPT in kinds and None in meant:
         return False
-    others = [argument for argument in flow.arguments if argument.parameter.numbering == "" and argument.parameter.direction != "unknown"]
+    others = [
+        argument
+        for argument in flow.arguments
+        if argument.parameter.numbering == "" and argument.parameter.direction != "unknown"
+    ]
     places = zip(flow.places, meant, strict=True)
     if others and any(number not in (None, place.value) for place, number in places):
         flow.kept.append(f"{flow.places[0].value} is a channel for '{numbered[0].name}', and a pin for '{others[0].function}'")

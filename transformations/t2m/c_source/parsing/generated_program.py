@@ -106,7 +106,10 @@ class GeneratedProgram:
             self.texts[f"{_STUB}/{main_header}"] = _TYPES % (b"bool" if language == "C++" else b"_Bool") + own + named
         before = ("-include", f"{_STUB}/{main_header}") if tabs else ()
         machine = ("-target", _MACHINES.get(int_bits, _MACHINES[32]), "-fsigned-char" if char_signed else "-funsigned-char")
-        self._flags, self._header = (*machine, *_FLAGS, *_LANGUAGE[language], *(f"-D{each}" for each in defines), *before), f"{_STUB}/{main_header}"
+        self._flags, self._header = (
+            (*machine, *_FLAGS, *_LANGUAGE[language], *(f"-D{each}" for each in defines), *before),
+            f"{_STUB}/{main_header}",
+        )
         self.unread: list[str] = []
         self.units = self._parsed(self._flags)
         self._handles = [unit for _, unit in self.units]
