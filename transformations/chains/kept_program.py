@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from robosmi.diagnostics import Finding
 from robosmi.metamodels import platform
 from robosmi.transform import Trace
 from robosmi.transformations.chains.source_board import SourceBoard
@@ -19,6 +18,7 @@ from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.sketches.kept_platform import keep_platform
 from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
 from robosmi.transformations.queries.portability.places import portability
 
@@ -29,12 +29,12 @@ class KeptProgram(Struct, frozen=True):
     Attributes:
         move: from which board to which.
         judged: what happens to each of its elements, and the trace of what this was made from.
-        left: a finding for each place that behaves differently and is left to a person.
+        left: the places that behave differently and that no edit cures.
     """
 
     move: BoardMove
     judged: tuple[Dependence, Trace]
-    left: Sequence[Finding]
+    left: Sequence[PortabilityPlace]
 
 
 def new_board(
@@ -62,6 +62,7 @@ def kept_program(
     move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
     places = portability(program.views, facts, move, program.copies)
     own, trace = source_board.facts.model.platform, Trace()
+    different = facts.move_to(move.target.chip, move.target.architecture)
     mappings = list(own.boardMappings) if own is not None else []
-    dependence, left = keep_platform(MovedSketch(program.views, program.copies, move, places, mappings), trace)
+    dependence, left = keep_platform(MovedSketch(program.views, program.copies, move, places, mappings, different), trace)
     return KeptProgram(move, (dependence, trace), left)

@@ -56,8 +56,9 @@ from robosmi.transformations.m2m.circuits.motor_channels import drawn_kinds
 from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, judge_program, put_together
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
-from robosmi.transformations.m2m.plan_tasks import plan_findings
+from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
 from robosmi.transformations.m2m.ports.port_texts import looked_up
+from robosmi.transformations.m2m.sketches.kept_platform import place_findings
 from robosmi.transformations.m2m.widths.widths import Widened, lost_findings, text_findings
 from robosmi.transformations.queries.plans.plan import binding_json, library_json
 from robosmi.transformations.queries.plans.plan_adapters import emitted
@@ -298,7 +299,6 @@ def models(
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
     findings += source_board.findings if source_board is not None else []
-    findings += kept.left if kept is not None else []
     if drawing is not None:
         set_rest_levels(drawing.hardware.connections)
         set_servo_trims(drawing.hardware.connections, bindings, settings.servos)
@@ -326,6 +326,9 @@ def models(
 
         set_console_wait(emitted(plan), settings.console_wait_ms)
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": settings.bind, "libraries": settings.libraries}
+    if kept is not None:
+        plan.findings.extend(plan_findings(plan, place_findings(kept.left, plan, files), places))
+        settle_tasks(plan)
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))
     circuit = drawing.hardware.circuit if drawing is not None else None

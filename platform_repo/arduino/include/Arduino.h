@@ -65,7 +65,6 @@ template <class T, class L> T max(const T &a, const L &b);
 #define digitalPinToPort(P) (P)
 #define digitalPinToBitMask(P) (P)
 #define digitalPinToTimer(P) (P)
-#define digitalPinToInterrupt(p) (p)
 #define digitalPinHasPWM(p) (p)
 #define digitalPinToPCICR(p) ((volatile uint8_t *)0)
 #define digitalPinToPCICRbit(p) (p)
@@ -103,6 +102,7 @@ void shiftOut(uint8_t dataPin, uint8_t clockPin, uint8_t bitOrder, uint8_t val);
 uint8_t shiftIn(uint8_t dataPin, uint8_t clockPin, uint8_t bitOrder);
 void attachInterrupt(uint8_t interruptNum, void (*userFunc)(void), int mode);
 void detachInterrupt(uint8_t interruptNum);
+int digitalPinToInterrupt(uint8_t pin); /* a macro there */
 #ifdef __cplusplus
 }
 #endif

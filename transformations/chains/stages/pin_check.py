@@ -9,22 +9,25 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
+from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
-from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, RULE as MOVED
+from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED
 from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
 from robosmi.transformations.queries.text_changes import all_changes, decision_of, effective
 from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinCheck, PinNames, PinPlace, follow_pins
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
-LOOK_UPS = frozenset({"port", "ports"})
+LOOK_UPS = frozenset({"port", "ports", "port_of_channel"})
 """The helpers by which a finished program looks up the pin of a port."""
 _TOKENS = re.compile(r"[A-Za-z_]\w*|\d\w*")
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
@@ -48,10 +51,14 @@ def pin_findings(
     names = pin_names(plan)
     checked = follow_pins(program, names)
     dropped = _dropped(plan)
-    calls = {
-        str(use.targetName or use.name): [call for call in use.calls if not dropped(_path(call), int(call.startOffset))]
-        for use in plan.adapterUses
-    }
+    taken: Iterable[tuple[str, Sequence[ccode.Call]]] = (
+        ((str(use.targetName or use.name), use.calls) for use in plan.adapterUses)
+        if not keeps_platform(plan)
+        else ((str(call.calleeName), [call]) for call in _calls_of_flows(plan))
+    )
+    calls: dict[str, list[ccode.Call]] = {}
+    for name, made_there in taken:
+        calls.setdefault(name, []).extend(c for c in made_there if not dropped(_path(c), int(c.startOffset)))
     if any(name in checked.functions and checked.seen[name] < len(known) for name, known in calls.items()):
         checked = follow_pins(program, names) if program.declare_constants() else checked
     made: list[tuple[Finding, Sequence[ccode.Call]]] = []
@@ -76,6 +83,8 @@ def _finding(message: str, place: Location | None) -> Finding:
 
 def pin_names(plan: migration.MigrationPlan) -> PinNames:
     """What counts as a pin in the finished program of a plan."""
+    if keeps_platform(plan):
+        return _kept_names(plan)
     functions = {str(use.targetName or use.name): places for use in plan.adapterUses if (places := _pins_of(use))}
     functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}
     constants = {str(c.name): pin_literal(c.pin) for c in plan.connections if c.pin is not None}
@@ -87,6 +96,28 @@ def pin_names(plan: migration.MigrationPlan) -> PinNames:
         if change.rule == MOVED
     )
     return PinNames(functions, LOOK_UPS, constants, literals, int(UNBOUND))
+
+
+def _kept_names(plan: migration.MigrationPlan) -> PinNames:
+    """What counts as a pin in a program whose platform stays: the functions and classes of the platform take pins themselves."""
+    assert plan.source is not None
+    api = ApiIndex.of(plan.source)
+    own = {str(d.name) for unit in (plan.program.units if plan.program is not None else ()) for d in unit.declarations}
+    functions: dict[str, list[PinPlace]] = {}
+    for function, header in api.functions_with_pins():
+        facts = api.pins(function, header)
+        pins = [p for p in facts.parameters if p.numbering != INTERRUPT] if facts is not None and function not in own else []
+        if pins:
+            functions[function] = [PinPlace(p.position, p.range_with is not None or p.span != 1, p.none) for p in pins]
+    functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}
+    words = (_word(c) for b in plan.portBindings if b.pin is not None for c in b.changes if c.rule in MOVES)
+    return PinNames(functions, LOOK_UPS, {}, Counter(words), int(UNBOUND), frozenset(api.pin_constants))
+
+
+def _calls_of_flows(plan: migration.MigrationPlan) -> list[ccode.Call]:
+    """The calls that a program makes with pins, each once, but for those that take the number of an interrupt."""
+    found = {id(call): call for flow in plan.portFlows for call in flow.calls}
+    return [call for call in found.values() if not call.viaMacro]
 
 
 def _pins_of(use: migration.AdapterUse) -> list[PinPlace]:
@@ -122,7 +153,7 @@ def _missing_changes(
     dropped = _dropped(plan)
     for change in effective(all_changes(plan)):
         gone = change.unit is not None and dropped(str(change.unit.path), int(change.startOffset))
-        if change.rule in (MOVED, LOOK_UP) and not gone and (word := _word(change)):
+        if change.rule in (*MOVES, LOOK_UP) and not gone and (word := _word(change)):
             wanted.setdefault(word, []).append(change)
     texts = [data for name, data in program.files.items() if name != program.adapters]
     counts = Counter(token for data in texts for token in _TOKENS.findall(_COMMENT.sub(" ", data.decode("utf-8", "replace"))))
@@ -139,7 +170,7 @@ def _missing_changes(
             yield _finding(message, Location(path, line)), [call for flow in flows for call in flow.calls]
     for flow in plan.portFlows:
         for binding in flow.bindings if flow.choice == "target" else ():
-            if not any(change.rule == MOVED for change in binding.changes):
+            if not any(change.rule in MOVES for change in binding.changes):
                 message = f"the port '{binding.name}' is to be moved with '{flow.name}', and no number of the text changes"
                 yield _finding(message, _place_of(binding.element)), list(flow.calls)
 

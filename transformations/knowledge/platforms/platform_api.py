@@ -237,6 +237,10 @@ class ApiIndex:
             return known
         return PinFacts(tuple(self._numbered(parameter) for parameter in known.parameters), known.conventions)
 
+    def functions_with_pins(self) -> list[tuple[str, str]]:
+        """Name and header of the functions, and of the classes whose constructors, take pins."""
+        return sorted(self._facts.pins)
+
     def _numbered(self, parameter: PinParameter) -> PinParameter:
         assert self.board is not None
         numbers = self.board.numbers(parameter.numbering) if parameter.numbering else {}

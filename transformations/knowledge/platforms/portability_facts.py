@@ -23,7 +23,7 @@ from robosmi.transformations.knowledge.platforms.platform_folder import platform
 class PlaceKind(Struct, frozen=True, forbid_unknown_fields=True):
     """A kind of place; the file explains the attributes.
 
-    `functions`, `stores`, `converters`, `conditions`, `words` and `registers` are read by the one rule that needs them.
+    `functions`, `stores`, `conditions`, `words` and `registers` are read by the one rule that needs them.
     """
 
     what: str
@@ -33,7 +33,6 @@ class PlaceKind(Struct, frozen=True, forbid_unknown_fields=True):
     types: tuple[str, ...] = ()
     functions: tuple[str, ...] = ()
     stores: tuple[str, ...] = ()
-    converters: tuple[str, ...] = ()
     conditions: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
     registers: str = ""
@@ -48,6 +47,26 @@ class Chip(Struct, frozen=True):
     vectors: frozenset[str] = frozenset()
 
 
+class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
+    """What is different for programs of this platform on boards of an architecture, or with a microcontroller.
+
+    Attributes:
+        same: kind of places -> why they behave the same there all the same, but for names that `same_but` lists.
+        same_but: names whose uses are places there although their kind is among `same`.
+        servo_limits: the pulse widths of servos on the source boards, where the default is another one.
+        eeprom_bytes: size of the EEPROM of the source boards, where flash takes its place.
+        console_wait_ms: how long a sketch may wait for its console, where that is USB.
+        clashes: names that a program may not declare at file scope.
+    """
+
+    same: Mapping[str, str] = {}
+    same_but: tuple[str, ...] = ()
+    servo_limits: tuple[int, int] | None = None
+    eeprom_bytes: int = 0
+    console_wait_ms: int = 0
+    clashes: tuple[str, ...] = ()
+
+
 class PortabilityFacts(Struct, frozen=True):
     """The facts of one platform.
 
@@ -55,11 +74,17 @@ class PortabilityFacts(Struct, frozen=True):
         kinds: name of a kind -> its facts, in the order of the file.
         registers: what registers belong to -> their names.
         microcontrollers: name -> what it has; one that is not listed has nothing of it.
+        moves: architecture or microcontroller of the target board -> what is different there.
     """
 
     kinds: Mapping[str, PlaceKind]
     registers: Mapping[str, Sequence[str]] = {}
     microcontrollers: Mapping[str, Chip] = {}
+    moves: Mapping[str, MoveFacts] = {}
+
+    def move_to(self, chip: str, architecture: str) -> MoveFacts:
+        """What is different on a board: its microcontroller's facts, else its architecture's."""
+        return self.moves.get(chip) or self.moves.get(architecture) or MoveFacts()
 
 
 def portability_facts(platform: str) -> PortabilityFacts | None:
@@ -77,7 +102,9 @@ def _facts(path: Path) -> PortabilityFacts:
     registers = path.with_name("registers.json")
     try:
         told = json_of(inputs.read_bytes(registers, inputs.DATA)) if registers.is_file() else {}
-        return convert({**(told if isinstance(told, dict) else {}), "kinds": read_data(path).get("kinds", {})}, PortabilityFacts)
+        data = read_data(path)
+        own = {"kinds": data.get("kinds", {}), "moves": data.get("moves", {})}
+        return convert({**(told if isinstance(told, dict) else {}), **own}, PortabilityFacts)
     except (OSError, ValueError, ValidationError) as error:
         fix = f"correct it, or {registers.name} beside it"
         raise PlatformDataError(f"the kinds of places cannot be read: {error}", location=Location(str(path)), fix=fix) from error

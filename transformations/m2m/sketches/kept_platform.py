@@ -6,7 +6,8 @@ by `queries.portability`; the rules of `sketch_rules` change it, and what none o
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
@@ -19,12 +20,12 @@ from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, Sketc
 from robosmi.transformations.m2m.sketches.sketch_rules import RULES
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.own_headers import own_header
-from robosmi.transformations.queries.portability.analysed_program import DIFFERS
+from robosmi.transformations.queries.portability.analysed_program import DIFFERS, PortabilityPlace
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import words_of
 
 
-def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[Finding]]:
+def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[PortabilityPlace]]:
     """Decide what happens to each element of a program.
 
     Args:
@@ -32,7 +33,7 @@ def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[F
         trace: where links from sources to decisions are recorded.
 
     Returns:
-        The partition, and a finding for each place that is left to a person.
+        The partition, and the places that no edit cures.
     """
     made = Dependence()
     views = sketch.views
@@ -100,8 +101,10 @@ def _dispositions(code: ProgramModel, views: Sequence[CodeView]) -> ETL:
 
 
 def _rewrite(edit: SketchEdit, judged: ETL, dispositions: list[migration.Disposition]) -> None:
-    """Add an edit to the disposition of its element, which may have those of other rules."""
-    unit = ancestor_of_kind(edit.element, ccode.SourceUnit)
+    """Add an edit to the disposition of its element, which may have those of other rules; one without changes has none."""
+    if not edit.replacements:
+        return
+    unit = _unit(edit.element)
     old = next(iter(judged.trace.equivalents(edit.element, Disposition)), None)
     made = old if old is not None else judged.equivalent(edit.element, "Rewritten", kind=Disposition)
     assert made is not None
@@ -121,19 +124,52 @@ def _rewrite(edit: SketchEdit, judged: ETL, dispositions: list[migration.Disposi
     )  # fmt: skip
 
 
-def _left(sketch: MovedSketch, edits: Sequence[SketchEdit]) -> Iterator[Finding]:
+def _unit(element: ccode.Located) -> ccode.SourceUnit | None:
+    return element if isinstance(element, ccode.SourceUnit) else ancestor_of_kind(element, ccode.SourceUnit)
+
+
+def _left(sketch: MovedSketch, edits: Sequence[SketchEdit]) -> Iterator[PortabilityPlace]:
     cured = {
         (edit.kind, str(unit.path), line)
         for edit in edits
-        if (unit := ancestor_of_kind(edit.element, ccode.SourceUnit)) is not None
+        if (unit := _unit(edit.element)) is not None
         for line in edit.lines
     }
     for place in sketch.places:
-        if (place.kind, place.path, place.line) not in cured:
-            yield Finding(
-                DIFFERS, Severity.warning, f"{place.kind}: {place.what}", Location(place.path, place.line),
-                fix=f"write what it means there: {_text(sketch.sources, place.path, place.line)}",
-            )  # fmt: skip
+        same = place.kind in sketch.facts.same and not any(fnmatchcase(place.name, but) for but in sketch.facts.same_but)
+        if not same and (place.kind, place.path, place.line) not in cured:
+            yield place
+
+
+def place_findings(places: Iterable[PortabilityPlace], plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> list[Finding]:
+    """The findings about places that nothing cures: no edit, and no pin of the plan that is written there."""
+    bound = {
+        (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)
+        for binding in plan.portBindings
+        if binding.pin is not None
+        for change in binding.changes
+        if change.unit is not None
+    }
+    moved = {
+        (str(unit.path), int(call.line))
+        for flow in plan.portFlows
+        if flow.choice == "target"
+        for call in flow.calls
+        if (unit := ancestor_of_kind(call, ccode.SourceUnit)) is not None
+    }
+    return [
+        Finding(
+            DIFFERS, Severity.warning, f"{place.kind}: {place.what}", Location(place.path, place.line),
+            fix=f"write what it means there: {_text(sources, place.path, place.line)}",
+        )
+        for place in places
+        if place.kind not in OF_PINS or (place.path, place.line) not in (moved if place.kind == BY_CALL else bound)
+    ]  # fmt: skip
+
+
+BY_CALL = "attach_interrupt_number"
+OF_PINS = frozenset({BY_CALL, "analog_pin_number", "analog_pin_as_14_to_19", "analog_pin_above_A3", "pin_13"})
+"""Kinds of places that are numbers and names of pins: the pins of the plan cure them. The first is told by its call."""
 
 
 def _text(sources: Mapping[str, bytes], path: str, line: int) -> str:

@@ -7,7 +7,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
+from robosmi.transformations.knowledge.platforms.portability_facts import MoveFacts
 from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.queries.block_braces import inside, is_torn
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.board_move import BoardMove
@@ -22,6 +24,7 @@ class MovedSketch(Struct, frozen=True):
         move: from which board to which.
         places: the places that may behave differently there.
         board: how the platform calls the source board and its pins.
+        facts: what is different on the target board.
     """
 
     views: Sequence[CodeView]
@@ -29,6 +32,7 @@ class MovedSketch(Struct, frozen=True):
     move: BoardMove
     places: Sequence[PortabilityPlace]
     board: Sequence[platform.BoardMapping] = ()
+    facts: MoveFacts = MoveFacts()
 
     def lines(self, kind: str, view: CodeView) -> frozenset[int]:
         """The lines of a unit with places of a kind."""
@@ -54,6 +58,19 @@ class SketchEdit(Struct, frozen=True):
     replacements: tuple[Replacement, ...]
     kind: str = ""
     lines: tuple[int, ...] = ()
+
+
+def setup_start(
+    views: Sequence[CodeView], sources: Mapping[str, bytes], name: str = "setup"
+) -> tuple[CodeView, ccode.Function, int] | None:
+    """The function that runs first, with its unit and the offset behind its opening brace; None if its braces are not its own."""
+    for view in views:
+        for function in view.of_kind(ccode.Function):
+            if function.name == name and function.body is not None and isinstance(function.eContainer(), ccode.SourceUnit):
+                if is_torn(function.body):
+                    return None
+                return view, function, inside(sources[str(view.unit.path)], function.body)[0]
+    return None
 
 
 SketchRule = Callable[[MovedSketch], Iterator[SketchEdit]]

@@ -26,6 +26,7 @@ class PortabilityPlace(Struct, frozen=True):
     line: int
     what: str
     cure: str
+    name: str = ""
 
 
 class At(Struct, frozen=True):

@@ -184,10 +184,8 @@ def _takes_time(value: ccode.Expression | None, kind: PlaceKind) -> bool:
 def interrupt_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Numbers of interrupts that mean another pin on the other board."""
     for view in seen.views:
-        converted = [int(use.startOffset) for use in view.unit.macroUses if str(use.name) in kind.converters]
         for call in _calls(view, kind):
-            inside = any(int(call.startOffset) <= start < int(call.endOffset) for start in converted)
-            for value in () if inside else view.values.of(call.arguments[0]):
+            for value in view.values.of(call.arguments[0]):
                 if value.number is not None and _other_interrupt(value.number, seen):
                     yield At(view.unit, int(call.line)), str(value.number)
 

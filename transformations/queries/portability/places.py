@@ -41,7 +41,7 @@ def _places(name: str, kind: PlaceKind, seen: AnalysedProgram) -> Iterator[Porta
         return
     for at, what in RULES.get(name, named)(kind, seen):
         text = kind.what.format(name=what, target=seen.move.target.title)
-        yield PortabilityPlace(name, seen.path_of(at), at.line, text, kind.cure)
+        yield PortabilityPlace(name, seen.path_of(at), at.line, text, kind.cure, what)
 
 
 def _alike(kind: PlaceKind, move: BoardMove) -> bool:

@@ -61,6 +61,7 @@ class PinNames(Struct, frozen=True):
         constants: constant of the hardware -> how the program writes its pin.
         literals: how the program writes a pin that has no constant -> how often the plan puts it into the text.
         unbound: the number that is no pin of any target.
+        named: constants of the platform that are pins; each place of one has to be by the plan, too.
     """
 
     functions: Mapping[str, Sequence[PinPlace]]
@@ -68,6 +69,7 @@ class PinNames(Struct, frozen=True):
     constants: Mapping[str, str]
     literals: Mapping[str, int]
     unbound: int
+    named: frozenset[str] = frozenset()
 
 
 class WrongPin(NamedTuple):
@@ -138,6 +140,8 @@ class _Flows(GeneratedValues):
             if sink.place.none and self.text(sink.argument) in sink.place.none:
                 continue
             for leaf in sorted(self._leaves(sink.argument), key=lambda each: (each.place, each.what)):
+                if leaf.text and sink.place.looked_up:
+                    continue
                 if leaf.text:
                     raw.setdefault(leaf.text, set()).add(leaf.place)
                     at_raw.setdefault(leaf.text, []).append(sink)
@@ -259,6 +263,8 @@ class _Flows(GeneratedValues):
             return [self.origin("", node)]
         if name in self.names.literals and found.kind == kinds.VAR_DECL and self._of_target(found):
             return [self.origin("", node, name)]
+        if name in self.names.named and self._of_target(found):
+            return [self.origin(f"{name} of the source board", node)]
         return [self.key(found)]
 
     def _is_constant(self, declared: Cursor, name: str) -> bool:

@@ -25,7 +25,7 @@ from robosmi.transformations.t2m.c_source.parsing.generated_names import (
     plain,
     unwrapped,
 )  # fmt: skip
-from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
+from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 from robosmi.transformations.t2m.c_source.parsing.generated_tree import GeneratedNode
 
 
@@ -232,7 +232,11 @@ class GeneratedValues(GeneratedNames):
         called = self.library.getCursorReferenced(node.cursor)
         inner = node.expressions
         if called.kind == kinds.CONSTRUCTOR:
-            self._own_calls.append((called, inner))
+            name = self.spelling(called)
+            if name in self._functions and not self._is_own(called):
+                self.calls.append((node, name, inner))
+            else:
+                self._own_calls.append((called, inner))
             return
         if not inner:
             return
@@ -242,7 +246,8 @@ class GeneratedValues(GeneratedNames):
             self._callees.add(id(callee))
             if called.kind == kinds.CXX_METHOD and self.spelling(called) == "operator()":
                 arguments = inner[2:]
-            if called.kind == kinds.FUNCTION_DECL and self.spelling(called) in self._functions and self._outer(called):
+            foreign = self._outer(called) if called.kind == kinds.FUNCTION_DECL else not self._is_own(called)
+            if self.spelling(called) in self._functions and foreign:
                 self.calls.append((node, self.spelling(called), arguments))
             else:
                 self._own_calls.append((called, arguments))
@@ -254,6 +259,11 @@ class GeneratedValues(GeneratedNames):
                 self.calls.append((node, name, arguments))
             return
         self.indirect.append((node, arguments))
+
+    def _is_own(self, function: Cursor) -> bool:
+        """Whether a member function is declared in the program's files."""
+        file, _ = clang.file_offset(self.library.getCursorLocation(function))
+        return clang.file_name(file).startswith(SKETCH)
 
     def _outer(self, function: Cursor) -> bool:
         return self.library.getCursorSemanticParent(function).kind not in RECORDS
