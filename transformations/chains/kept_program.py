@@ -21,6 +21,7 @@ from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
 from robosmi.transformations.queries.portability.places import portability
+from robosmi.transformations.queries.portability.unknown_arguments import unknown_arguments
 
 
 class KeptProgram(Struct, frozen=True):
@@ -60,7 +61,7 @@ def kept_program(
     if target.platform != api.name or source_board is None or facts is None:
         return None
     move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
-    places = portability(program.views, facts, move, program.copies)
+    places = [*portability(program.views, facts, move, program.copies), *unknown_arguments(program.views, move)]
     own, trace = source_board.facts.model.platform, Trace()
     different = facts.move_to(move.target.chip, move.target.architecture)
     mappings = list(own.boardMappings) if own is not None else []

@@ -38,7 +38,13 @@ from robosmi.transformations.chains.stages.models import MigrationModels
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
 from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
 from robosmi.transformations.chains.stages.ports import bindings, pins_to_choose, ports
-from robosmi.transformations.chains.stages.program import ProgramFiles, StoredProgram, program_files, stored_program
+from robosmi.transformations.chains.stages.program import (
+    ProgramFiles,
+    StoredProgram,
+    library_headers,
+    program_files,
+    stored_program,
+)
 from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files
 from robosmi.transformations.chains.stages.sources import remember_sources
 from robosmi.transformations.chains.stages.widths import FIX, KEEP, widened
@@ -46,6 +52,7 @@ from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.constraints.plan_ports import port_faults
 from robosmi.transformations.knowledge.adapters.adapter_pins import AdapterPins
+from robosmi.transformations.knowledge.libraries.library_pins import LibraryPins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
@@ -124,7 +131,8 @@ def source_api(
     api = ApiIndex.load(_source_platform(files, source_platform, settings))
     name = api.name
     if target.platform == name:
-        return api.on_board(source_board.pins) if source_board is not None else api
+        here = api.on_board(source_board.pins) if source_board is not None else api
+        return here.adapted(LibraryPins(library_headers([Path(file) for file in files], api), target.libraries))
     if api.sketch is not None:
         raise UsageError(
             f"programs of '{name}' cannot be moved to the target '{target.target}', whose platform is '{target.platform}'",

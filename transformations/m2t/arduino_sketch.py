@@ -21,6 +21,7 @@ _TEMPLATES = ProgramTemplates(
     "arduino/sketch.yaml.j2",
     "sketch.yaml",
     bench="arduino/bench.ino.j2",
+    pins="arduino/moved_pins.h.j2",
 )
 _MORE = {"platformio.ini": "arduino/platformio.ini.j2"}
 

@@ -26,7 +26,7 @@ from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, separate_placeholders, with_own_types
 from robosmi.transformations.m2t.first_screen import Counted
-from robosmi.transformations.m2t.kept_text import kept_parts
+from robosmi.transformations.m2t.kept_text import MOVED_PINS, kept_parts, moved_pins
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuits.circuit import pin_literal
@@ -54,6 +54,7 @@ class ProgramTemplates(Struct, frozen=True):
         project_file: name of the project file.
         more: further project files for other tools: name -> template.
         bench: template of the sketch that tests components on the bench; empty for a target without one.
+        pins: template of the header in which a program whose platform stays looks up pins; empty for a target without one.
     """
 
     unit: str
@@ -63,6 +64,7 @@ class ProgramTemplates(Struct, frozen=True):
     project_file: str
     more: Mapping[str, str] = {}
     bench: str = ""
+    pins: str = ""
 
 
 def program_files(
@@ -115,6 +117,12 @@ def program_files(
             "adapters": [a for a in listed if a.use not in late],
             "renamed": [use for use in plan.adapterUses if use.targetName not in ("", use.name)],
         }
+
+    looked_up = [plan] if kept and looks_up_ports(plan) else []
+
+    @g.rule(domain=looked_up, template=templates.pins, target=f"{plan.name}/{MOVED_PINS}")
+    def MovedPins(_: migration.MigrationPlan) -> dict[str, Any]:
+        return {"plan": plan, **moved_pins(plan)}
 
     @g.rule(template=templates.project, target=f"{plan.name}/{templates.project_file}")
     def Project() -> Mapping[str, Json]:

@@ -19,7 +19,7 @@ from robosmi.transformations.knowledge.adapters.adapter_checks import parameters
 from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
-from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED
+from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
@@ -62,8 +62,11 @@ def pin_findings(
     if any(name in checked.functions and checked.seen[name] < len(known) for name, known in calls.items()):
         checked = follow_pins(program, names) if program.declare_constants() else checked
     made: list[tuple[Finding, Sequence[ccode.Call]]] = []
+    alike = {(_path(c), int(c.line)) for f in plan.portFlows if SAME_NUMBERS in f.evidence for c in f.calls}
     for each in checked.wrong:
         at = place(each.file, each.line)
+        if at is not None and (at.path, at.line) in alike:
+            continue
         written = f", written in line {each.at[1]} of {each.at[0]}" if each.at != (each.file, each.line) and each.at[0] else ""
         message = f"line {each.line} of {each.file}: a pin of '{each.function}' is {each.what}{written}"
         made.append((_finding(message, at), _calls_at(calls.get(each.function, []), at)))

@@ -331,6 +331,14 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
     return found
 
 
+def library_headers(paths: Sequence[Path], api: ApiIndex) -> list[str]:
+    """The headers that a program's files include and that are neither the program's own nor known to its platform."""
+    files = [Path(source.path) for source in source_files(paths, sketch=api.sketch)]
+    own = {file.name for file in files}
+    names = dict.fromkeys(name.rpartition("/")[2] for file in files for name in _included(file))
+    return [name for name in names if name not in own and api.header_kind(name) is None]
+
+
 def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Finding]:
     """Says of each header of a program that lies outside of its folders that it is taken over: a person may not know of it.
 

@@ -20,6 +20,7 @@ from msgspec import Struct
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
 from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
+from robosmi.transformations.queries.macros.tokens import name_tokens
 from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, OF_INTERRUPT, KeptPins
 from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, bound_pin, text_in_place
 from robosmi.transformations.queries.ports.ports import FlowPorts, ProgramPorts
@@ -31,6 +32,10 @@ MOVES = frozenset({RULE, AS_WRITTEN, OF_INTERRUPT})
 """Ids of the rules of the places where a port's number is written."""
 LOOK_UP = "port-look-up"
 """Id of the rule that looks up a port's pin where the port is passed to a platform function."""
+OWN_NUMBER = "number-of-source"
+"""Id of the rule that writes a constant of the source board as the number that it is there."""
+SAME_NUMBERS = "its numbers mean the same pins on the target"
+"""The reason of a flow whose numbers stay, and are not looked up."""
 NEXT = "enumerator-after-port"
 """Id of the rule that keeps the value of an enumerator that follows a replaced one."""
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -69,8 +74,11 @@ def port_changes(
                     changed = [_moved(place, numbers[place.value], sources, kept), *_next(place, moved, sources)]
                     numbers[place.value].changes.extend(changed)
             changes: list[migration.TextChange] = []
-        else:
+        elif kept is not None and _alike(each, numbers, kept):
+            each.flow.kept.insert(0, SAME_NUMBERS)
             changes = []
+        else:
+            changes = list(_own_numbers(each, sources, kept)) if kept is not None else []
             looked: set[tuple[str, int, int]] = set()
             for argument, known in zip(each.flow.arguments, each.values, strict=True):
                 changes += shut.pop(id(argument.call), []) if argument.unplaced else []
@@ -85,6 +93,31 @@ def port_changes(
         if each.numbers or changes or any(True for _ in each.calls):
             found.append(_flow(each, changes, numbers))
     return found
+
+
+def _own_numbers(each: FlowPorts, sources: Mapping[str, bytes], kept: KeptPins) -> Iterator[migration.TextChange]:
+    """Write the numbers of the source board in the place of its constants, where they get into a flow that is looked up."""
+    ranges = [(unit, int(e.startOffset), int(e.endOffset)) for unit, e in (*each.flow.calculated, *each.flow.given)]
+    ranges += [(place.unit, place.start, place.end) for place in each.flow.places]
+    done: set[tuple[str, int]] = set()
+    for unit, start, end in ranges:
+        for first, last, name in name_tokens(sources[unit.path][start:end]):
+            number, at = kept.constants.get(name), (str(unit.path), start + first)
+            if number is None or at in done:
+                continue
+            done.add(at)
+            yield migration.TextChange(
+                unit=unit, startOffset=at[1], endOffset=start + last, replacement=str(number), rule=OWN_NUMBER,
+                reason=f"{name} is {number} on the board of the sketch, and is looked up by that", step=migration.Step.hardware,
+            )  # fmt: skip
+
+
+def _alike(each: FlowPorts, numbers: Mapping[int, migration.PortBinding], kept: KeptPins) -> bool:
+    """Whether all numbers that a flow can have mean the pins that their ports are bound to."""
+    labels = kept.target.labels
+    bound = [(n, bound_pin(numbers[n])) for n in each.numbers if n in numbers]
+    same = all(pin is not None and labels.get(number) == pin.label for number, pin in bound)
+    return same and (not each.anything or all(labels.get(n) == label for n, label in kept.source.labels.items()))
 
 
 def looked_up(ports: ProgramPorts) -> list[str]:

@@ -16,6 +16,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
+from robosmi.transformations.knowledge.libraries.library_pins import may_be_pin
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
@@ -368,7 +369,7 @@ class FlowReader:
         for function in self._classes.constructors(name, len(arguments)):
             for parameter, argument in zip(function.parameters, arguments, strict=False):
                 self._give(self.key(parameter), argument)
-        for pin in self.constructor_pins(name, view):
+        for pin in self.constructor_pins(name, view, arguments):
             if pin.position < len(arguments):
                 argument = arguments[pin.position]
                 start, end = int(argument.startOffset), int(argument.endOffset)
@@ -398,15 +399,36 @@ class FlowReader:
         else:
             return False
         own = self._classes.constructors(name, count)
-        return bool(own) or any(pin.position == position for pin in self.constructor_pins(name, view))
+        pins = self.constructor_pins(name, view, list(made.arguments))
+        return bool(own) or any(pin.position == position for pin in pins)
 
-    def constructor_pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:
-        """The parameters of a class's constructors that are pins for the platform; none for a class of the program's own."""
+    def constructor_pins(
+        self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()
+    ) -> Sequence[PinParameter]:
+        """The parameters of a class's constructors that are pins for the platform or for a library; none for an own class.
+
+        Of a class that nobody knows, those are taken for pins whose arguments are called so.
+        """
         if self._classes.is_own(name):
             return ()
         entry = view.resolve(name)
         facts = view.api.pins(name, entry.header if entry is not None else "")
-        return facts.parameters if facts is not None else ()
+        if facts is not None or entry is not None or view.api.board is None:
+            return facts.parameters if facts is not None else ()
+        return called_pins(arguments)
+
+    def method_pins(self, call: ccode.Call, view: CodeView) -> tuple[str, Sequence[PinParameter]] | None:
+        """The name of a method of a class that the reader does not know, and its parameters that are pins; None for any other."""
+        callee = call.calleeExpression
+        if view.api.board is None or call.callee is not None or not isinstance(callee, ccode.Member):
+            return None
+        held = callee.object
+        target = held.target if isinstance(held, ccode.NameReference) else None
+        kind = type_name(target.valueType) if isinstance(target, (ccode.Variable, ccode.Parameter)) else ""
+        if not kind or self._classes.is_own(kind) or view.resolve(kind) is not None:
+            return None
+        facts = view.api.pins(f"{kind}::{callee.name}", "")
+        return str(callee.name), facts.parameters if facts is not None else called_pins(list(call.arguments))
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -462,6 +484,11 @@ class FlowReader:
             for function in own:
                 for parameter, argument in zip(function.parameters, arguments, strict=False):
                     self._give(self.key(parameter), argument)
+            return
+        if (method := self.method_pins(call, view)) is not None:
+            for pin in method[1]:
+                if pin.position < len(arguments):
+                    self._pin(method[0], pin, call, view)
             return
         if call.callee is None and call.calleeExpression is not None:
             for position, argument in enumerate(arguments):
@@ -546,6 +573,15 @@ class FlowReader:
             self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
         ]
         return list(dict.fromkeys(found))
+
+
+def called_pins(arguments: Sequence[ccode.Expression]) -> list[PinParameter]:
+    """The arguments that are names of pins, as parameters."""
+    return [
+        PinParameter(position, str(argument.name), "unknown")
+        for position, argument in enumerate(arguments)
+        if isinstance(argument, ccode.NameReference) and may_be_pin(str(argument.name))
+    ]
 
 
 def view_text(data: bytes, start: int, end: int) -> str:

@@ -98,6 +98,9 @@ class ValueUses:
         if own := self.reader.called(call):
             taken = all(position < len(function.parameters) for function in own)
             return "" if taken else f"{name} goes to '{call.calleeName}' {line}"
+        method = self.reader.method_pins(call, view)
+        if method is not None and any(p.position == position for p in method[1]):
+            return ""
         if any(p.position == position for p in self.reader.pins(str(call.calleeName or ""), view)):
             return ""
         return f"{name} goes to '{call.calleeName or 'a function'}' {line}"

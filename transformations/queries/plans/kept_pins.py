@@ -7,6 +7,7 @@ converter or of an interrupt; which one it is follows from the source board and 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from msgspec import Struct
 
@@ -42,12 +43,14 @@ class KeptPins(Struct, frozen=True):
         source, target: the boards.
         alike: whether numbers of channels are counted alike on both.
         interrupt_of: the function that gives the interrupt of a pin.
+        constants: constant of the platform that is a pin of the source board -> its number.
     """
 
     source: BoardPins
     target: BoardPins
     alike: bool
     interrupt_of: str
+    constants: Mapping[str, int]
 
     def written(self, binding: migration.PortBinding, pin: platform.Pin, original: str) -> tuple[str, str]:
         """The rule and the text of a place.
@@ -87,10 +90,11 @@ def kept_pins(plan: object) -> KeptPins | None:
     source, target = board_pins(plan.source.boardMappings), board_pins(plan.target.boardMappings)
     if source is None or target is None:
         return None
-    settings = ApiIndex.load(str(plan.source.name)).settings.get("ports", {})
+    api = ApiIndex.load(str(plan.source.name)).on_board(source)
+    settings = api.settings.get("ports", {})
     boards = [next((m.board for m in each.boardMappings if m.board is not None), None) for each in (plan.source, plan.target)]
     kinds = [str(b.microcontroller.architecture) if b is not None and b.microcontroller is not None else "" for b in boards]
-    return KeptPins(source, target, kinds[0] == kinds[1], str(settings.get("interrupt_of", "")))
+    return KeptPins(source, target, kinds[0] == kinds[1], str(settings.get("interrupt_of", "")), api.pin_constants)
 
 
 def kept_pins_of(binding: migration.PortBinding) -> KeptPins | None:
