@@ -130,10 +130,7 @@ def _unit(element: ccode.Located) -> ccode.SourceUnit | None:
 
 def _left(sketch: MovedSketch, edits: Sequence[SketchEdit]) -> Iterator[PortabilityPlace]:
     cured = {
-        (edit.kind, str(unit.path), line)
-        for edit in edits
-        if (unit := _unit(edit.element)) is not None
-        for line in edit.lines
+        (edit.kind, str(unit.path), line) for edit in edits if (unit := _unit(edit.element)) is not None for line in edit.lines
     }
     for place in sketch.places:
         same = place.kind in sketch.facts.same and not any(fnmatchcase(place.name, but) for but in sketch.facts.same_but)
@@ -141,7 +138,9 @@ def _left(sketch: MovedSketch, edits: Sequence[SketchEdit]) -> Iterator[Portabil
             yield place
 
 
-def place_findings(places: Iterable[PortabilityPlace], plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> list[Finding]:
+def place_findings(
+    places: Iterable[PortabilityPlace], plan: migration.MigrationPlan, sources: Mapping[str, bytes]
+) -> list[Finding]:
     """The findings about places that nothing cures: no edit, and no pin of the plan that is written there."""
     bound = {
         (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
 from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
+from robosmi.transformations.m2m.sketches.int_widths import char_signs, int_widths
+from robosmi.transformations.m2m.sketches.object_bytes import object_bytes
 from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
 from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
 from robosmi.transformations.m2m.sketches.usb_console import usb_console
 
-RULES: tuple[SketchRule, ...] = (clashing_names, servo_limits, flash_eeprom, usb_console)
+RULES: tuple[SketchRule, ...] = (clashing_names, object_bytes, int_widths, char_signs, servo_limits, flash_eeprom, usb_console)
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

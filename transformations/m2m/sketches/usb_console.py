@@ -25,13 +25,13 @@ def usb_console(sketch: MovedSketch) -> Iterator[SketchEdit]:
     for loop in waits:
         if loop.condition is not None:
             reason = f"without a computer it would wait for ever; it goes on after {limit} ms"
-            yield SketchEdit(
-                loop, "console-wait", reason, (inserted(int(loop.condition.endOffset), f" && millis() < {limit}"),)
-            )
+            yield SketchEdit(loop, "console-wait", reason, (inserted(int(loop.condition.endOffset), f" && millis() < {limit}"),))
     for view in sketch.views if not waits else ():
         for call in view.of_kind(ccode.Call):
             callee = call.calleeExpression
-            begins = isinstance(callee, ccode.Member) and callee.name == "begin" and isinstance(callee.object, ccode.NameReference)
+            begins = (
+                isinstance(callee, ccode.Member) and callee.name == "begin" and isinstance(callee.object, ccode.NameReference)
+            )
             statement = ancestor_of_kind(call, ccode.Statement)
             if not begins or callee.object.name != _CONSOLE or not isinstance(statement, ccode.ExpressionStatement):  # type: ignore[union-attr]
                 continue

@@ -50,8 +50,8 @@ class Ranges:
     """
 
     def __init__(
-        self, numbers: Numbers, values: Values, program: ccode.Program, results: Mapping[str, tuple[int, int]] = MappingProxyType({}),
-        wrapping: Collection[int] = (),
+        self, numbers: Numbers, values: Values, program: ccode.Program,
+        results: Mapping[str, tuple[int, int]] = MappingProxyType({}), wrapping: Collection[int] = (),
     ) -> None:  # fmt: skip
         self.numbers = numbers
         self._results, self._wrapping = results, wrapping

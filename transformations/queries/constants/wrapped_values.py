@@ -56,7 +56,19 @@ class WrappedValues:
         }
         macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
         values = self.views[0].values
-        return Ranges(Numbers(self.here, functions, {}, macros), values, self.views[0].program, self._results, self._wrapping)
+        numbers = Numbers(self.here, functions, {}, macros, self._aliases)
+        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping)
+
+    @cached_property
+    def _aliases(self) -> dict[str, str]:
+        """The platform's types that are numbers: name -> the type of the language."""
+        found = {}
+        for view in self.views:
+            for used in view.types():
+                entry = view.resolve(used.name)
+                if entry is not None and entry.detail.startswith("typedef "):
+                    found[used.name] = entry.detail.removeprefix("typedef ")
+        return found
 
     @cached_property
     def _holders(self) -> list[Holder]:
@@ -119,7 +131,7 @@ class WrappedValues:
     def leaves(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether the value of an expression is known to lie beyond a type at times, or wraps on its way."""
         found = self._ranges.of(expression)
-        return found is not None and found.given and not found.within(number.least, number.most)
+        return found is not None and not found.within(number.least, number.most)
 
     def _grows_by(self, value: ccode.Expression | None, holder: Holder) -> bool:
         """Whether an assigned value is the old one with something added, so that no range tells where it ends."""
@@ -130,7 +142,7 @@ class WrappedValues:
         return isinstance(value, ccode.Binary) and value.operator in _GROWING
 
     def _bounded(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
-        """Whether the program bounds what a step adds to: by a loop of known length, or by a comparison that sets it or guards it."""
+        """Whether a loop of known length bounds a step, or a comparison that guards it or sets the variable."""
         loop = written.eContainer()
         if isinstance(loop, ccode.For) and loop.step is written:
             return self._compared(loop.condition, holder)
@@ -170,7 +182,7 @@ class WrappedValues:
         return False
 
     def _few_rounds(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
-        """Whether a local variable is only added to in loops of known length, by values of known range, and stays within its type."""
+        """Whether a local variable is only added to in loops of known length, by known values, and so stays within its type."""
         if not isinstance(holder, ccode.Variable) or holder.storage is ccode.Storage.staticStorage:
             return False
         function, number = ancestor_of_kind(holder, ccode.Function), self._ranges.numbers.declared(holder.valueType)
@@ -232,7 +244,7 @@ class WrappedValues:
             return False
         found = self._ranges.of(expression)
         if found is not None:
-            return found.given and not found.within(number.least, number.most)
+            return not found.within(number.least, number.most)
         return any(
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
         )
