@@ -222,29 +222,35 @@ class Ranges:
         return Range(bound.low, bound.high + past) if up else Range(bound.low - past, bound.high)
 
     def _index(self, index: ccode.Index) -> Range | None:
-        """The range of all elements of an array that is initialised with known values and never written."""
+        """The range of all elements of an array that is given known values alone."""
         array = index.array
         target = array.target if isinstance(array, ccode.NameReference) else None
-        if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
+        if not isinstance(target, ccode.Variable) or target.valueType is None or not target.valueType.arrayDims:
             return None
-        key = id(target.initializer)  # one range for all elements
+        if target.initializer is not None and not isinstance(target.initializer, ccode.InitializerList):
+            return None
+        key = id(target.valueType)  # one range for all elements
         if key not in self._known:
             self._known[key] = None
-            self._known[key] = self._elements(target, target.initializer)
+            self._known[key] = self._elements(target)
         return self._known[key]
 
-    def _elements(self, target: ccode.Variable, values: ccode.InitializerList) -> Range | None:
+    def _elements(self, target: ccode.Variable) -> Range | None:
         if self._seen_elsewhere(target):
             return None
+        values = target.initializer
+        elements = [self.of(each) for each in values.elements] if isinstance(values, ccode.InitializerList) else []
         for reference in target.references:
             use = reference.eContainer()
             if not (isinstance(use, ccode.Index) and use.array is reference) and not isinstance(use, ccode.SizeOf):
                 return None
             outer = use.eContainer()
-            written = isinstance(outer, ccode.Assignment) and outer.left is use
-            if written or (isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&")):
+            while isinstance(outer, ccode.Index) and outer.array is use:
+                use, outer = outer, outer.eContainer()
+            if isinstance(outer, ccode.Assignment) and outer.left is use:
+                elements.append(self.of(outer.right) if outer.operator == "=" else None)
+            elif isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&"):
                 return None
-        elements = [self.of(e) for e in values.elements]
         return _union([*elements, Range(0, 0)]) if elements and None not in elements else None
 
 
