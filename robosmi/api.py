@@ -139,6 +139,7 @@ class PlanOptions(TypedDict, total=False):
         hardware: the drawing of the new hardware.
         target: name of the target board.
         source_platform: platform that the program was written for.
+        source_board: board that it runs on today.
         include_dirs: folders with headers.
         defines: macros defined from outside, NAME or NAME=VALUE.
         libraries: drawn component -> library.
@@ -154,6 +155,7 @@ class PlanOptions(TypedDict, total=False):
     hardware: str | Path | None
     target: str | None
     source_platform: str | None
+    source_board: str | None
     include_dirs: Sequence[Path]
     defines: Sequence[str]
     libraries: Mapping[str, str] | None

@@ -91,12 +91,12 @@ class Tools:
         self, files: list[str], out: str, hardware: str | None = None, target: str | None = None,
         source_platform: str | None = None, include_dirs: list[str] | None = None, defines: list[str] | None = None,
         library: list[str] | None = None, bind: list[str] | None = None, adapters: str | None = None, widths: str | None = None,
-        bench: bool = False, dry_run: bool = False, strict: bool = False,
+        bench: bool = False, dry_run: bool = False, strict: bool = False, source_board: str | None = None,
     ) -> Document:  # fmt: skip
         """Move a program to the board of a drawing: generates the folder out with sketch, plan and remaining tasks.
 
         hardware: the drawing or pin table. library: COMPONENT=LIBRARY. bind: NAME=PIN, for a port of the source. adapters:
-        filled or placeholders. widths: fix or keep. Edits in out that you made are kept, or it stops. Nothing is asked;
+        filled or placeholders. widths: fix or keep. source_board: that a sketch runs on today. Edits in out that you made are kept, or it stops. Nothing is asked;
         decisions that nobody has made stay open (result.plan.choices).
         """
         return await self._run(
@@ -104,7 +104,7 @@ class Tools:
             lambda: [
                 *self._source(files, source_platform, include_dirs, defines), "-o", self._path(out), "--yes",
                 *_option("--hardware", self._path(hardware) if hardware is not None else None), *_option("--target", target),
-                *_options("--library", library), *_options("--bind", bind), *_option("--adapters", adapters),
+                *_option("--from", source_board), *_options("--library", library), *_options("--bind", bind), *_option("--adapters", adapters),
                 *_option("--widths", widths), *_flags(bench=bench, dry_run=dry_run, strict=strict),
             ],
         )  # fmt: skip

@@ -19,6 +19,7 @@ from robosmi.resources import project_of_input
 from robosmi.transformations.chains.source_board import SourceBoard, bundled_library, find_source_board, places_of
 from robosmi.transformations.chains.stages.reading import check_source_platform, platform_of_files, read_program
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
 from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT, read_side
 
@@ -134,7 +135,7 @@ def analysed(
     if target is not None:
         places = places_of(program, api, board, target)
         bundled = {place.path: library for place in places if (library := bundled_library(place.path, api)) is not None}
-        result["portability"] = [structs.asdict(place) for place in places if place.path not in bundled]
+        result["portability"] = [_json(place) for place in places if place.path not in bundled]
         result["bundled_libraries"] = sorted(set(bundled.values()))
     if any(finding.rule in UNKNOWN for finding in findings):
         from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, still_unknown  # most programs are known
@@ -188,6 +189,11 @@ def analyse(
     )
     with project_of_input(paths[0]), read_once():
         return run.value("analysis", Analysis)
+
+
+def _json(place: PortabilityPlace) -> dict[str, Any]:
+    """The contract's form of a place."""
+    return {key: value for key, value in structs.asdict(place).items() if key != "name"}
 
 
 def _loop_of(main: dict[str, Any]) -> str:

@@ -73,8 +73,8 @@ from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.record_members import outside_members
 
 GIVEN = (
-    "files", "project", "hardware", "target_name", "source_platform", "from_board", "include_dirs", "defines", "libraries", "bind", "history",
-    "adapters", "widths",
+    "files", "project", "hardware", "target_name", "source_platform", "from_board", "include_dirs", "defines", "libraries",
+    "bind", "history", "adapters", "widths",
 )  # fmt: skip
 """The values that a migration gets from outside; `migration_chain` says what each is used for."""
 
@@ -394,8 +394,8 @@ def plan_migration(
     """
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench, ranker_name=ranker, stored=NOTHING,
+        from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {},
+        adapters=adapters, history=history, widths=widths, bench=bench, ranker_name=ranker, stored=NOTHING,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         return run.value("models", MigrationModels)

@@ -26,11 +26,11 @@ from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
-from robosmi.transformations.m2m.ports.port_texts import port_changes
+from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, port_changes
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
-from robosmi.transformations.queries.plans.kept_pins import kept_pins
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_pins
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
@@ -222,6 +222,8 @@ def put_together(
     )
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=kept_pins(plan)))
+    if keeps_platform(plan):
+        explicit_enumerators(plan, d.files)
     settle_libraries(plan)
     close_idle_choices(plan)
     mark_rewritten(plan)

@@ -383,5 +383,6 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _proposed, _libraries, _unsupported, _assembler, _pins, _different, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _proposed, _libraries, _unsupported, _assembler, _pins, _different,
+    _unused,
 )  # fmt: skip

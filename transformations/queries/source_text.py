@@ -82,6 +82,11 @@ class Piece(Struct, frozen=True):
     changes: tuple[migration.TextChange, ...]
 
 
+def codec_of(unit: ccode.SourceUnit) -> str:
+    """The codec of a unit's stored bytes; a text in UTF-16 is stored in UTF-8."""
+    return "utf-8" if not unit.encoding or unit.encoding in _UNICODE else str(unit.encoding)
+
+
 class SourceText:
     """A unit's bytes and the changes of them that take effect.
 
@@ -98,8 +103,8 @@ class SourceText:
         self.changes = effective(given)
         self._placed = _placed(self.changes)
         self._starts = [start for start, *_ in self._placed]
-        self._encoding = unit.encoding or "utf-8"
-        self._bytes = [] if self._encoding in _UNICODE else _bytes_of_literals(data)
+        self._encoding = codec_of(unit)
+        self._bytes = [] if self._encoding == "utf-8" else _bytes_of_literals(data)
         self._given = sorted(enumerate(given), key=lambda pair: pair[1].startOffset)
         self._comments: list[ccode.Comment] = sorted(unit.comments, key=lambda comment: comment.startOffset)
         self._comment_starts = [comment.startOffset for comment in self._comments]

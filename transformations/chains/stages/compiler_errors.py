@@ -17,7 +17,7 @@ from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import target_of
-from robosmi.transformations.queries.source_text import HEADERS
+from robosmi.transformations.queries.source_text import HEADERS, codec_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
@@ -154,7 +154,7 @@ class _Origins:
     def __init__(self, shown: Sequence[str], unit: ccode.SourceUnit, sources: Mapping[str, bytes]) -> None:
         self._path = str(unit.path)
         self._shown = shown
-        lines = sources[unit.path].decode(unit.encoding or "utf-8", "replace").splitlines()
+        lines = sources[unit.path].decode(codec_of(unit), "replace").splitlines()
         self._count = len(lines)
         self._rows: dict[str, list[int]] = {}
         for row, line in enumerate(lines):

@@ -33,6 +33,7 @@ from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.double_definitions import double_definitions
 from robosmi.transformations.queries.reports.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, INCLUDED
+from robosmi.transformations.t2m.c_source.parsing.source import stored_bytes
 from robosmi.transformations.t2m.c_source.parsing.sources import source_files
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, adjacent_project, read_side
 
@@ -141,7 +142,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     findings = still_unknown(findings, api.adapters.index if api.adapters is not None else None)
     name = sketch_name_of(Path(program.units[0].path)) if keeps else _sketch_name(main)
     places = _store_in_place(program) if keeps else _store_units(program, target.own_headers | {ADAPTERS_FILE})
-    copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
+    copies = {places[str(path)]: stored_bytes(inputs.read_bytes(path, inputs.SOURCE)) for path in files.paths}
     names = {place: path for path, place in places.items()}
     findings = [*findings, *double_definitions(program, copies, names)]
     for view in seen if target.language == CPLUSPLUS else ():

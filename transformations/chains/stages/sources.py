@@ -17,6 +17,7 @@ from robosmi.errors import UsageError
 from robosmi.files.files import digest
 from robosmi.files.run_lock import SOURCES, store, stored
 from robosmi.metamodels import migration
+from robosmi.transformations.t2m.c_source.parsing.source import stored_bytes
 
 
 def remember_sources(
@@ -106,6 +107,6 @@ def _sources(plan: migration.MigrationPlan) -> dict[str, str]:
 
 def _digest(path: Path) -> str:
     try:
-        return digest(inputs.read_bytes(path, inputs.SOURCE))
+        return digest(stored_bytes(inputs.read_bytes(path, inputs.SOURCE)))
     except OSError:
         return ""

@@ -15,7 +15,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, RULES
-from robosmi.transformations.m2m.ports.port_texts import MOVES, replacement
+from robosmi.transformations.m2m.ports.port_texts import MOVES, explicit_enumerators, replacement
 from robosmi.transformations.queries.plans.binding_edits import writes
 from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, kept_pins
 from robosmi.transformations.queries.plans.port_pins import port_text
@@ -77,6 +77,8 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
                 change.rule, change.replacement = rule, new
             elif not writes(change, port_text(binding) or new):
                 change.replacement, change.reason = new, f"{binding.name} is {binding.choice or 'not bound'} on the target"
+    if kept is not None:
+        explicit_enumerators(plan, {str(text.unit.path): text.data for text in texts})
     mark_rewritten(plan)
 
 

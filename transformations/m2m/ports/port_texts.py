@@ -18,7 +18,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
+from robosmi.query import all_of_kind
 from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
+from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
 from robosmi.transformations.queries.macros.tokens import name_tokens
 from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, OF_INTERRUPT, KeptPins
@@ -71,7 +73,8 @@ def port_changes(
         if each.moved:
             for place in _distinct(each.flow.places):
                 if place.value in numbers:
-                    changed = [_moved(place, numbers[place.value], sources, kept), *_next(place, moved, sources)]
+                    following = _next(place, moved, sources) if kept is None else []
+                    changed = [_moved(place, numbers[place.value], sources, kept), *following]
                     numbers[place.value].changes.extend(changed)
             changes: list[migration.TextChange] = []
         elif kept is not None and _alike(each, numbers, kept):
@@ -118,6 +121,46 @@ def _alike(each: FlowPorts, numbers: Mapping[int, migration.PortBinding], kept: 
     bound = [(n, bound_pin(numbers[n])) for n in each.numbers if n in numbers]
     same = all(pin is not None and labels.get(number) == pin.label for number, pin in bound)
     return same and (not each.anything or all(labels.get(n) == label for n, label in kept.source.labels.items()))
+
+
+def explicit_enumerators(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
+    """Give enumerators that follow a moved one their values, in a plan whose platform stays.
+
+    Args:
+        plan: the plan with the changes of its ports.
+        sources: path of a unit -> its bytes.
+    """
+    at = {
+        (str(change.unit.path), int(change.startOffset)): (binding, change)
+        for binding in plan.portBindings
+        for change in binding.changes
+        if change.unit is not None and change.rule in MOVES
+    }
+    for binding in plan.portBindings:
+        for old in [change for change in binding.changes if change.rule == NEXT]:
+            binding.changes.remove(old)
+    for unit in plan.program.units if plan.program is not None and at else ():
+        text = sources[unit.path]
+        for enumeration in all_of_kind(unit, ccode.Enumeration):
+            before: migration.PortBinding | None = None
+            for literal in enumeration.literals:
+                start, end = int(literal.startOffset), int(literal.endOffset)
+                own, implicit = at.get((str(unit.path), start)), b"=" not in text[start:end]
+                if own is not None and (own[1].rule != AS_WRITTEN or (implicit and before is not None)):
+                    before, change = own
+                    pin = bound_pin(before)
+                    if change.rule == AS_WRITTEN and pin is not None:
+                        change.rule, change.replacement = RULE, f"{literal.name} = {pin_literal(pin)}"
+                elif own is None and implicit and before is not None:
+                    before.changes.append(
+                        migration.TextChange(
+                            unit=unit, startOffset=end, endOffset=end, replacement=f" = {int(literal.value)}", rule=NEXT,
+                            reason="its value was one more than that of the one before", step=migration.Step.hardware,
+                        )
+                    )  # fmt: skip
+                    before = None
+                else:
+                    before = None
 
 
 def looked_up(ports: ProgramPorts) -> list[str]:

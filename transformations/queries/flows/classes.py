@@ -68,6 +68,20 @@ class Classes:
         """The constructors of a class that may be given a number of arguments."""
         return [function for function in self._constructors.get(name, ()) if count <= len(function.parameters)]
 
+    def definitions(self, declared: ccode.Function) -> list[ccode.Function]:
+        """The definitions of a member function that a class declares, those of its overloads with as many parameters."""
+        record, name = self._class_of(declared), str(declared.name).rpartition("::")[2]
+        return [
+            function
+            for view in self._views
+            for function in view.of_kind(ccode.Function)
+            if function.definition
+            and record is not None
+            and str(function.name).rpartition("::")[2] == name
+            and self._class_of(function) is record
+            and len(function.parameters) == len(declared.parameters)
+        ]
+
     def around(self, element: Element) -> ccode.Record | None:
         """The class whose member function contains an element; None outside of such a function."""
         function = ancestor_of_kind(element, ccode.Function)

@@ -300,6 +300,7 @@ class FlowReader:
                 self._variable(element)
             elif isinstance(element, ccode.Function):
                 self._unseen_calls(element)
+                self._defaults(element)
             elif isinstance(element, ccode.Lambda):
                 for parameter in element.parameters:
                     self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
@@ -346,6 +347,15 @@ class FlowReader:
             self.flows.join(("through a pointer", position), self.key(parameter))
             self.flows.freeze(self.key(parameter), why, computed=True)
         self.flows.freeze(("result", self.key(function)), why)
+
+    def _defaults(self, function: ccode.Function) -> None:
+        """Give the parameters of a function their default arguments, which its declaration in a class may have."""
+        for position, parameter in enumerate(function.parameters):
+            if parameter.defaultValue is not None:
+                same = [function] if function.definition else self._classes.definitions(function) or [function]
+                for definition in same:
+                    if position < len(definition.parameters):
+                        self._give(self.key(definition.parameters[position]), parameter.defaultValue)
 
     def _unseen_calls(self, function: ccode.Function) -> None:
         """Keep the numbers of what constructors and operators are given, since the code model does not have their calls."""
@@ -402,9 +412,7 @@ class FlowReader:
         pins = self.constructor_pins(name, view, list(made.arguments))
         return bool(own) or any(pin.position == position for pin in pins)
 
-    def constructor_pins(
-        self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()
-    ) -> Sequence[PinParameter]:
+    def constructor_pins(self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()) -> Sequence[PinParameter]:
         """The parameters of a class's constructors that are pins for the platform or for a library; none for an own class.
 
         Of a class that nobody knows, those are taken for pins whose arguments are called so.

@@ -204,6 +204,11 @@ def _decode(raw: bytes) -> tuple[bytes, str, str]:
     return raw, "UTF-8", "utf-8"
 
 
+def stored_bytes(raw: bytes) -> bytes:
+    """The bytes of a source file as a plan stores them: those of UTF-8 for a text in UTF-16, else as they are."""
+    return _decode(raw)[0]
+
+
 def _unmarked_utf16(raw: bytes) -> str | None:
     """The codec of a text in UTF-16 without a mark, as some editors write it: every second byte of Western text is zero."""
     for first, codec in ((1, "utf-16-le"), (0, "utf-16-be")):

@@ -1,0 +1,2 @@
+void setup() { pinMode(3, OUTPUT); }
+void loop() {}

@@ -1,0 +1,1 @@
+void beep() { tone(9, 880); }

@@ -1,0 +1,3 @@
+void setup() {}
+void loop() { beep(); }
+void beep() { tone(8, 440); }

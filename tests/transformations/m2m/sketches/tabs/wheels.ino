@@ -1,0 +1,4 @@
+void begin_wheels() {
+  pinMode(LAMP, OUTPUT);
+}
+void turn(int way) {}

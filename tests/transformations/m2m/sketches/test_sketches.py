@@ -1,0 +1,161 @@
+"""Sketches on other boards of their platform: the text stays but for pins and what behaves differently; nothing is lost."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.running import Outcome, run
+
+HERE = Path(__file__).parent
+
+
+def migrated(name: str, out: Path, *words: str, target: str = "pico", source: str = "uno") -> Outcome:
+    folder = HERE / name
+    sketch = next(iter(sorted(folder.glob("*.ino"), key=lambda path: path.stem != folder.name)))
+    return run("migrate", sketch, "--from", source, "--target", target, "-o", out, "--yes", "--json", *words)
+
+
+def text(out: Path, name: str) -> str:
+    return (out / name).read_text(encoding="utf-8")
+
+
+def changed(out: Path, name: str) -> dict[int, str]:
+    """Line of the sketch -> its new text, where that differs."""
+    before = (HERE / name / f"{name}.ino").read_text(encoding="utf-8").splitlines()
+    after = text(out, f"{name}/{name}.ino").splitlines()
+    assert len(before) == len(after)
+    return {number: new for number, (old, new) in enumerate(zip(before, after, strict=True), 1) if old != new}
+
+
+def tasks(outcome: Outcome, rule: str) -> list[dict[str, Any]]:
+    return [task for task in outcome.document["tasks"] if task["rule"] == rule]
+
+
+def pins(outcome: Outcome) -> dict[str, str]:
+    """What a binding is called by its number on the source board -> its pin."""
+    bindings = outcome.result["plan"]["bindings"]
+    return {(each["names"] or [each["name"]])[-1]: each["pin"] for each in bindings}
+
+
+@pytest.mark.parametrize("target", ["nano", "mega"])
+@pytest.mark.parametrize("name", ["pins", "classes", "tabs"])
+def test_a_sketch_needs_no_edit_on_a_board_with_the_same_pins(name: str, target: str, tmp_path: Path) -> None:
+    outcome = migrated(name, tmp_path, target=target)
+    assert outcome.code == 0
+    for file in (path for path in (HERE / name).rglob("*") if path.is_file()):
+        made = tmp_path / name / file.relative_to(HERE / name)
+        assert made.read_bytes().split() == file.read_bytes().split()  # line ends may differ
+    assert not tasks(outcome, "RS347")
+    assert not (tmp_path / name / "adapters.h").exists()
+
+
+def test_every_place_of_a_pin_changes_with_its_port(tmp_path: Path) -> None:
+    said = {
+        "BUZZER": "GP15",
+        "D7": "GP2",
+        "3": "GP3",
+        "D5": "GP17",
+        "RED": "GP19",
+        "D12": "GP20",
+        "A3": "GP21",
+        "D13": "LED_BUILTIN",
+    }
+    outcome = migrated("pins", tmp_path, *(word for port, pin in said.items() for word in ("--bind", f"{port}={pin}")))
+    assert outcome.code == 0
+    made = changed(tmp_path, "pins")
+    assert made[5] == "#define BUZZER 15"
+    assert made[7] == "const int relay = 2;"
+    assert made[8] == "const byte motors[] = { 3, 17 };"
+    assert made[9].startswith("enum Lamps { RED = 19, GREEN = ")
+    assert made[10].startswith("LiquidCrystal lcd(20, 11, 6, 4, ")
+    assert made[10].endswith(", 25);")
+    assert made[11].endswith(", 21);")
+    assert re.search(r"analogRead\(2[678]\) / 4", made[28])
+    assert re.search(r"attachInterrupt\(digitalPinToInterrupt\(3\), onEdge", made[20])
+    assert not {26, 27} & set(made)
+    assert not tasks(outcome, "RS345")
+
+
+def test_pins_without_a_drawing_are_proposed_by_abilities_and_left_to_approve(tmp_path: Path) -> None:
+    outcome = migrated("pins", tmp_path)
+    bound = pins(outcome)
+    assert {bound["A0"], bound["A1"]} <= {"GP26", "GP27", "GP28"}
+    assert len(set(bound.values())) == len(bound)
+    assert len(tasks(outcome, "RS347")) == 1
+
+
+def test_a_task_is_gone_once_persons_have_said_all_pins(tmp_path: Path) -> None:
+    outcome = migrated("tabs", tmp_path, "--bind", "LAMP=GP9")
+    assert outcome.code == 0
+    assert not tasks(outcome, "RS347")
+    assert changed(tmp_path, "tabs") == {2: "const int LAMP = 9;"}
+
+
+def test_members_of_classes_are_followed_to_where_objects_are_made(tmp_path: Path) -> None:
+    outcome = migrated("classes", tmp_path, "--bind", "D5=GP20", "--bind", "D6=GP21", "--bind", "D7=GP22")
+    assert changed(tmp_path, "classes") == {3: "Wheel left(20);", 4: "Wheel right = Wheel(21);"}
+    assert "int lamp = 22" in text(tmp_path, "classes/Wheel.h")
+    assert not tasks(outcome, "RS345")
+
+
+def test_what_differs_is_cured_by_rule_and_the_rest_is_a_task(tmp_path: Path) -> None:
+    outcome = migrated("cures", tmp_path, "--bind", "D9=GP9", "--bind", "D8=GP8")
+    made = changed(tmp_path, "cures")
+    assert made[13] == "  arm.attach(9, 544, 2400);"
+    assert "while (!Serial && millis() < " in made[12]
+    assert "EEPROM.begin(1024);" in made[11]
+    assert made[16] == "  } EEPROM.commit();"
+    assert made[17] == "  EEPROM.update(7, index_); EEPROM.commit();"
+    assert made[21] == "  row.index = index_;"
+    left = {(task["location"]["line"], task["message"].split(": ")[1]) for task in tasks(outcome, "RS346")}
+    assert left == {(22, "port_register"), (22, "avr_libc_call")}
+
+
+def test_headers_that_nobody_has_stop_nothing(tmp_path: Path) -> None:
+    outcome = migrated("libraries", tmp_path, "--bind", "D2=GP16", "--bind", "horn=GP4")
+    assert outcome.code in (0, 1)
+    assert changed(tmp_path, "libraries") == {3: "#define SENSOR 16"}
+    assert [task["location"]["line"] for task in tasks(outcome, "RS346")] == [5]
+
+
+def test_a_sketch_without_setup_is_refused_with_its_cause(tmp_path: Path) -> None:
+    outcome = migrated("bad/no_setup", tmp_path)
+    assert outcome.code == 3
+    finding = outcome.document["findings"][0]
+    assert "setup" in finding["message"]
+    assert finding["location"]["path"].endswith("no_setup.ino")
+
+
+def test_a_sketch_in_utf_16_becomes_one_in_utf_8(tmp_path: Path) -> None:
+    assert migrated("bad/utf16", tmp_path, "--bind", "D7=GP3").code == 0
+    assert "digitalWrite(3, HIGH)" in text(tmp_path, "utf16/utf16.ino")
+
+
+def test_a_function_in_two_tabs_is_told_with_its_line(tmp_path: Path) -> None:
+    outcome = migrated("bad/twice", tmp_path)
+    told = {task["location"]["path"].rpartition("/")[2]: task["location"]["line"] for task in tasks(outcome, "RS504")}
+    assert told.get("second.ino") == 1 or told.get("twice.ino") == 3
+
+
+def test_assembler_stays_and_is_a_task(tmp_path: Path) -> None:
+    outcome = migrated("bad/assembler", tmp_path, "--bind", "D4=GP4")
+    assert 'asm volatile("nop");' in text(tmp_path, "assembler/assembler.ino")
+    assert [task["location"]["line"] for task in tasks(outcome, "RS346")] == [6]
+
+
+def test_a_sketch_in_a_folder_of_another_name_keeps_its_own(tmp_path: Path) -> None:
+    assert migrated("bad/other_name", tmp_path).code == 0
+    assert (tmp_path / "robot" / "robot.ino").is_file()
+
+
+def test_an_unknown_source_board_is_refused(tmp_path: Path) -> None:
+    assert migrated("tabs", tmp_path, source="umo").code == 2
+
+
+def test_a_board_that_nobody_said_is_told(tmp_path: Path) -> None:
+    outcome = run("migrate", HERE / "tabs" / "tabs.ino", "--target", "pico", "-o", tmp_path, "--yes", "--json")
+    assert "RS115" in outcome.rules()
