@@ -62,6 +62,7 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
         watchdog: the functions that start the watchdog, by milliseconds, and that feed it.
         tick: the statement by which a function is called again and again from an interrupt; {function}, {us} and {timer} are
             filled in.
+        tick_header: the header that declares what it takes.
     """
 
     same: Mapping[str, str] = {}
@@ -74,6 +75,7 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
     includes: Mapping[str, str] = {}
     watchdog: tuple[str, str] | None = None
     tick: str = ""
+    tick_header: str = ""
 
 
 class PortabilityFacts(Struct, frozen=True):

@@ -12,10 +12,11 @@ from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.avr_bits import Tick, avr_bits
-from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.register_values import register_value
+from robosmi.transformations.queries.own_headers import unit_of
 
 _RULE = "timer-tick"
 _REGISTERS, _VECTOR = "timer_register", "isr_vector"
@@ -30,11 +31,17 @@ def timer_ticks(sketch: MovedSketch) -> Iterator[SketchEdit]:
     """The edits of timers that tick."""
     if not sketch.facts.tick or not sketch.clock_hz:
         return
+    found = []
     for view in sketch.views:
         for handler in view.of_kind(ccode.Function):
             tick = avr_bits().ticks.get(str(handler.name))
             if tick is not None and handler.body is not None:
-                yield from _of_timer(sketch, view, handler, tick)
+                found += _of_timer(sketch, view, handler, tick)
+    yield from found
+    first = {id(unit_of(edit.element)): edit.element for edit in reversed(found)}
+    for element in first.values():
+        header = inserted(0, f"#include <{sketch.facts.tick_header}>\n")
+        yield SketchEdit(element, _RULE, "the header declares the target's timers", (header,))
 
 
 def _of_timer(sketch: MovedSketch, view: CodeView, handler: ccode.Function, tick: Tick) -> Iterator[SketchEdit]:

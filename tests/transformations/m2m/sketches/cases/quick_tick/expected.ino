@@ -1,3 +1,4 @@
+#include <pico/time.h>
 volatile byte count;
 
 void begin() {

@@ -1,3 +1,4 @@
+#include <pico/time.h>
 
 
 volatile unsigned long ticks = 0;
