@@ -1,0 +1,67 @@
+"""Writes and reads of port registers become calls for the pins that their bits are bound to, one for each bit.
+
+A statement changes only if all its pins are bound. What it does with other bits of the register is nothing that the program uses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.plans.port_pins import bound_pin
+from robosmi.transformations.queries.ports.port_statements import (
+    HIGH,
+    INPUT,
+    LOW,
+    OUTPUT,
+    PULL_UP,
+    READ,
+    TOGGLE,
+    VALUE,
+    PortStatement,
+    port_statements,
+)  # fmt: skip
+
+RULE = "port-register"
+_CALLS = {
+    HIGH: "digitalWrite({pin}, HIGH)", LOW: "digitalWrite({pin}, LOW)", TOGGLE: "digitalWrite({pin}, !digitalRead({pin}))",
+    OUTPUT: "pinMode({pin}, OUTPUT)", INPUT: "pinMode({pin}, INPUT)", PULL_UP: "pinMode({pin}, INPUT_PULLUP)",
+    VALUE: "digitalWrite({pin}, ({value}) >> {bit} & 1)", READ: "(digitalRead({pin}) << {bit})",
+}  # fmt: skip
+
+
+def change_registers(views: Sequence[CodeView], bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes]) -> None:
+    """Add the changes of the statements to the bindings of their first pins."""
+    numbers = {int(binding.sourcePin): binding for binding in bindings}
+    for each in port_statements(views):
+        bound = [numbers.get(step.number) for step in each.steps]
+        pins = [bound_pin(binding) if binding is not None else None for binding in bound]
+        first = bound[0]
+        if first is None or not all(pins):
+            continue
+        literals = [pin_literal(pin) for pin in pins if pin is not None]
+        element = each.element
+        names = ", ".join(str(binding.name) for binding in bound if binding is not None)
+        first.changes.append(
+            migration.TextChange(
+                unit=each.view.unit, startOffset=int(element.startOffset), endOffset=int(element.endOffset),
+                replacement=_text(each, literals, sources), rule=RULE, step=migration.Step.hardware,
+                reason=f"the bits of the register are {names}",
+            )
+        )  # fmt: skip
+
+
+def _text(each: PortStatement, literals: Sequence[str], sources: Mapping[str, bytes]) -> str:
+    value = ""
+    if isinstance(each.element, ccode.Assignment) and (right := each.element.right) is not None:
+        data = sources[str(each.view.unit.path)]
+        value = data[int(right.startOffset) : int(right.endOffset)].decode("utf-8", "replace")
+    calls = [
+        _CALLS[step.what].replace("{pin}", literal).replace("{bit}", str(step.bit)).replace("{value}", value)
+        for step, literal in zip(each.steps, literals, strict=True)
+    ]
+    if isinstance(each.element, ccode.Assignment):
+        return ", ".join(calls)
+    return calls[0] if len(calls) == 1 else f"({' | '.join(calls)})"
