@@ -96,15 +96,17 @@ class Tools:
         """Move a program to the board of a drawing: generates the folder out with sketch, plan and remaining tasks.
 
         hardware: the drawing or pin table. library: COMPONENT=LIBRARY. bind: NAME=PIN, for a port of the source. adapters:
-        filled or placeholders. widths: fix or keep. source_board: that a sketch runs on today. Edits in out that you made are kept, or it stops. Nothing is asked;
-        decisions that nobody has made stay open (result.plan.choices).
+        filled or placeholders. widths: fix or keep. source_board: that a sketch runs on today.
+        Edits in out that you made are kept, or it stops. Nothing is asked; decisions that nobody has made stay open
+        (result.plan.choices).
         """
         return await self._run(
             "migrate",
             lambda: [
                 *self._source(files, source_platform, include_dirs, defines), "-o", self._path(out), "--yes",
                 *_option("--hardware", self._path(hardware) if hardware is not None else None), *_option("--target", target),
-                *_option("--from", source_board), *_options("--library", library), *_options("--bind", bind), *_option("--adapters", adapters),
+                *_option("--from", source_board),
+                *_options("--library", library), *_options("--bind", bind), *_option("--adapters", adapters),
                 *_option("--widths", widths), *_flags(bench=bench, dry_run=dry_run, strict=strict),
             ],
         )  # fmt: skip
