@@ -12,6 +12,7 @@ from robosmi import resources
 from robosmi.project import read_data
 
 _OF_PORT = re.compile(r"(?:P|DD|PORT|PIN)[A-L]([0-7])")
+_OF_CHANGE = re.compile(r"PCINT(\d{1,2})")
 _BINARY = re.compile(r"B([01]{1,8})")
 
 
@@ -32,12 +33,42 @@ class Tick(Struct, frozen=True):
     prescalers: Sequence[int]
 
 
+class PinChanges(Struct, frozen=True):
+    """A pin change interrupt: its mask register, its bit in the register that enables it, and the port of its pins."""
+
+    mask: str
+    enable: int
+    port: str
+
+
+class Converter(Struct, frozen=True):
+    """The registers of the analogue converter, and bits of them.
+
+    Attributes:
+        select, control: the registers that select the channel, and that start a conversion.
+        results: the names of the register with the result.
+        channel_mask: the bits of the channel in `select`.
+        reference_mask, supply: the bits of the reference there, and their value for the supply.
+        left: the bit for a result that is aligned left.
+    """
+
+    select: str
+    control: str
+    results: Sequence[str]
+    channel_mask: int
+    supply: int
+    reference_mask: int
+    left: int
+
+
 class AvrBits(Struct, frozen=True):
     """The facts of the file."""
 
     bits: Mapping[str, int]
     ticks: Mapping[str, Tick]
     watchdog: Mapping[str, int]
+    pin_changes: Mapping[str, PinChanges]
+    converter: Converter
 
     def value(self, name: str) -> int | None:
         """The number that a name stands for: a bit of a register, or a constant such as B0101; None for any other name."""
@@ -45,6 +76,8 @@ class AvrBits(Struct, frozen=True):
             return found
         if (port := _OF_PORT.fullmatch(name)) is not None:
             return int(port[1])
+        if (change := _OF_CHANGE.fullmatch(name)) is not None:
+            return int(change[1]) % 8
         binary = _BINARY.fullmatch(name)
         return int(binary[1], 2) if binary is not None else None
 

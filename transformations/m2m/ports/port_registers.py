@@ -12,6 +12,8 @@ from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.ports.port_statements import (
+    CHANGE,
+    CONVERT,
     HIGH,
     INPUT,
     LOW,
@@ -21,6 +23,7 @@ from robosmi.transformations.queries.ports.port_statements import (
     TOGGLE,
     VALUE,
     PortStatement,
+    idiom_statements,
     port_statements,
 )  # fmt: skip
 
@@ -28,6 +31,7 @@ RULE = "port-register"
 _CALLS = {
     HIGH: "digitalWrite({pin}, HIGH)", LOW: "digitalWrite({pin}, LOW)", TOGGLE: "digitalWrite({pin}, !digitalRead({pin}))",
     OUTPUT: "pinMode({pin}, OUTPUT)", INPUT: "pinMode({pin}, INPUT)", PULL_UP: "pinMode({pin}, INPUT_PULLUP)",
+    CHANGE: "attachInterrupt(digitalPinToInterrupt({pin}), {handler}, CHANGE)", CONVERT: "analogRead({pin})",
     VALUE: "digitalWrite({pin}, ({value}) >> {bit} & 1)", READ: "(digitalRead({pin}) << {bit})",
 }  # fmt: skip
 
@@ -35,7 +39,7 @@ _CALLS = {
 def change_registers(views: Sequence[CodeView], bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes]) -> None:
     """Add the changes of the statements to the bindings of their first pins."""
     numbers = {int(binding.sourcePin): binding for binding in bindings}
-    for each in port_statements(views):
+    for each in (*port_statements(views), *idiom_statements(views)):
         bound = [numbers.get(step.number) for step in each.steps]
         pins = [bound_pin(binding) if binding is not None else None for binding in bound]
         first = bound[0]
@@ -59,7 +63,11 @@ def _text(each: PortStatement, literals: Sequence[str], sources: Mapping[str, by
         data = sources[str(each.view.unit.path)]
         value = data[int(right.startOffset) : int(right.endOffset)].decode("utf-8", "replace")
     calls = [
-        _CALLS[step.what].replace("{pin}", literal).replace("{bit}", str(step.bit)).replace("{value}", value)
+        _CALLS[step.what]
+        .replace("{pin}", literal)
+        .replace("{bit}", str(step.bit))
+        .replace("{value}", value)
+        .replace("{handler}", each.handler)
         for step, literal in zip(each.steps, literals, strict=True)
     ]
     if isinstance(each.element, ccode.Assignment):

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.avr_bits import Tick, avr_bits
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
+from robosmi.transformations.m2m.sketches.register_idioms import without
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.register_values import register_value
@@ -24,7 +25,6 @@ _COMPARE_A = 0b10
 """The bit of the interrupt mask register for compare register A, equal for all timers."""
 _OUTPUTS = 0xF0
 """The bits of the first control register by which compare registers drive pins."""
-_REST = re.compile(rb"[ \t]*;")
 
 
 def timer_ticks(sketch: MovedSketch) -> Iterator[SketchEdit]:
@@ -63,17 +63,9 @@ def _of_timer(sketch: MovedSketch, view: CodeView, handler: ccode.Function, tick
     yield SketchEdit(handler, _RULE, reason, changed, _VECTOR, (int(use.line),))
     filled = {"function": called, "us": str(us), "timer": f"timer{number}"}
     text = re.sub(r"\{(function|us|timer)\}", lambda found: filled[found[1]], sketch.facts.tick)
-    data = sketch.sources[str(of.unit.path)]
     last = max(statements, key=lambda each: int(each.startOffset))
     for each in statements:
-        start, end = int(each.startOffset), int(each.endOffset)
-        if (rest := _REST.match(data, end)) is not None:
-            end = rest.end()
-        if each is not last and not data[(begun := data.rfind(b"\n", 0, start) + 1) : start].strip():
-            start = begun
-        yield SketchEdit(
-            each, _RULE, reason, (Replacement(start, end, text if each is last else ""),), _REGISTERS, (int(each.line),)
-        )
+        yield without(sketch, of, each, _RULE, reason, _REGISTERS, text if each is last else "")
 
 
 def _is_plain_write(reference: ccode.NameReference) -> bool:
