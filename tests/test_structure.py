@@ -82,6 +82,7 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
         "language": (),
         "ports": ("choices",),
         "partition": ("ports", "adapters", "language"),
+        "sketches": ("partition",),
         "widths": ("partition", "language"),
         "": ("widths", "partition", "ports", "adapters", "choices", "language"),
     },

@@ -52,7 +52,6 @@ from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.constraints.plan_ports import port_faults
 from robosmi.transformations.knowledge.adapters.adapter_pins import AdapterPins
-from robosmi.transformations.knowledge.libraries.library_pins import LibraryPins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
@@ -67,6 +66,7 @@ from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
 from robosmi.transformations.m2m.ports.port_texts import looked_up
 from robosmi.transformations.m2m.sketches.kept_platform import place_findings
 from robosmi.transformations.m2m.widths.widths import Widened, lost_findings, text_findings
+from robosmi.transformations.queries.library_pins import LibraryPins
 from robosmi.transformations.queries.plans.plan import binding_json, library_json
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.ports.ports import ProgramPorts
@@ -314,8 +314,8 @@ def models(
         places[drawing.given] = drawing.copy
         files.update(drawing.files)
     else:
-        message = "no drawing given: ports and libraries stay open"
-        findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))
+        left = "ports and libraries stay open" if kept is None else "what the new board is wired to is not known"
+        findings.append(Finding("RS210", Severity.info, f"no drawing given: {left}", fix="give --hardware SKETCH"))
     if settings.libraries and not target.libraries:
         message = f"the target '{target.target}' has no libraries; the project file's libraries are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))

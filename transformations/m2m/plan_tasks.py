@@ -21,7 +21,7 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
-from robosmi.transformations.queries.plans.kept_pins import proposed
+from robosmi.transformations.queries.plans.kept_pins import lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, source_name
@@ -303,6 +303,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Tasks for text that is not valid C (or C++, if the target needs it): it is carried over for a person to mend."""
+    unlost = lost_pin_calls(plan)
     for finding in plan.findings:
         if finding.rule == "RS101":
             yield Task(
@@ -315,7 +316,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 line=finding.line,
                 column=finding.column,
             )
-        elif finding.rule == "RS102":
+        elif finding.rule == "RS102" and (unlost is None or (str(finding.path), int(finding.line)) in unlost):
             yield Task(
                 rule="RS504", severity=Level.warning, effort="small", message=f"write what could not be read: {finding.message}",
                 fix=finding.fix, path=finding.path, line=finding.line, column=finding.column,

@@ -14,6 +14,7 @@ from msgspec.structs import replace
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
+from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_calls
 from robosmi.transformations.queries.plans.plan import called
 from robosmi.transformations.queries.plans.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
@@ -163,6 +164,10 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
     calls = work.calls
     several = work.unread != 1
     lost = f"{work.unread} call{'s' * several} in unreadable text not counted"
+    if keeps_platform(plan):
+        count = kept_calls(plan)
+        said = f"{count} calls of the platform stay as they are" if count != 1 else "1 call of the platform stays as it is"
+        return f"{said}; {lost}" if work.unread else said
     if not calls["total"]:
         return lost if work.unread else "the program calls no platform function"
     parts = [

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
+from robosmi.transformations.queries.own_headers import is_member
 from robosmi.transformations.queries.source_text import is_header
 
 _ONE_OF_MANY = re.compile(rb"\b(?:inline|__inline|__inline__|weak|__weak__)\b")
@@ -41,7 +42,7 @@ def double_definitions(program: ccode.Program, copies: Mapping[str, bytes], name
 
 
 def _for_all_files(declared: ccode.Declaration, data: bytes) -> bool:
-    if isinstance(declared, ccode.Function):
+    if isinstance(declared, ccode.Function) and not is_member(declared):
         end = declared.body.startOffset if declared.body is not None else -1
     elif isinstance(declared, ccode.Variable):
         end = declared.initializer.startOffset if declared.initializer is not None else -1

@@ -36,7 +36,7 @@ def clashing_names(sketch: MovedSketch) -> Iterator[SketchEdit]:
         while new in words:
             new += "_"
         reason = f"the core of the board declares '{name}', too"
-        places: dict[int, tuple[ccode.Located, set[Replacement]]] = {}
+        places: dict[int, tuple[ccode.Located | ccode.SourceUnit, set[Replacement]]] = {}
         for element in (e for declared in declarations for e in (declared, *_uses(declared))):
             unit = ancestor_of_kind(element, ccode.SourceUnit)
             if unit is None:
@@ -47,10 +47,10 @@ def clashing_names(sketch: MovedSketch) -> Iterator[SketchEdit]:
             if at is not None:
                 places.setdefault(id(unit), (element, set()))[1].add(Replacement(at, at + len(name), new))
         for view in sketch.views:
-            element, edits = places.get(id(view.unit), (view.unit, set()))
+            holder, edits = places.get(id(view.unit), (view.unit, set()))
             edits |= set(_in_macros(name, new, sketch.sources[str(view.unit.path)]))
             if edits:
-                yield SketchEdit(element, RENAME, reason, tuple(sorted(edits)))
+                yield SketchEdit(holder, RENAME, reason, tuple(sorted(edits)))
 
 
 def _head(declared: Named) -> str:

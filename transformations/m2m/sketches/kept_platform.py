@@ -124,7 +124,7 @@ def _rewrite(edit: SketchEdit, judged: ETL, dispositions: list[migration.Disposi
     )  # fmt: skip
 
 
-def _unit(element: ccode.Located) -> ccode.SourceUnit | None:
+def _unit(element: ccode.Located | ccode.SourceUnit) -> ccode.SourceUnit | None:
     return element if isinstance(element, ccode.SourceUnit) else ancestor_of_kind(element, ccode.SourceUnit)
 
 

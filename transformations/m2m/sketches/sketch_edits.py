@@ -54,7 +54,7 @@ class SketchEdit(Struct, frozen=True):
         lines: the lines of these places, in the element's unit.
     """
 
-    element: ccode.Located
+    element: ccode.Located | ccode.SourceUnit
     rule: str
     reason: str
     replacements: tuple[Replacement, ...]

@@ -1,10 +1,6 @@
 """Collects which declarations, parameters, results, array elements and members of a program can exchange values.
 
 It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_flows`.
-
-Also: the name under which a program keeps a number: the constant, array element or member whose initial value it is.
-
-A name counts only while nothing writes to it. What the number means is judged elsewhere.
 """
 
 from __future__ import annotations
@@ -16,14 +12,15 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
-from robosmi.transformations.knowledge.libraries.library_pins import may_be_pin
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
+from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
-from robosmi.transformations.queries.initialisers import is_designated, leaves, members_given, record_of
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.library_pins import may_be_pin
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 
@@ -253,9 +250,8 @@ class FlowReader:
 
     def _is_constant(self, reference: ccode.NameReference) -> bool:
         """Whether a name is a pin of the board by the platform, and not the program's own."""
-        own = isinstance(reference.target, (ccode.Variable, ccode.Parameter)) and ancestor_of_kind(
-            reference.target, ccode.SourceUnit
-        )
+        target = reference.target
+        own = target is not None and ancestor_of_kind(target, ccode.SourceUnit) is not None
         return str(reference.name) in self.constants and not own and str(reference.name) not in self._shared
 
     def _constant(self, reference: ccode.NameReference) -> Hashable:
@@ -316,7 +312,7 @@ class FlowReader:
             elif isinstance(element, ccode.Call):
                 self._call(element, view)
             elif isinstance(element, ccode.ConstructorCall):
-                self._construction(element, view)
+                self._constructed(str(element.className), list(element.arguments), element, view)
             elif isinstance(element, ccode.MemberInitializer):
                 self._initial_member(element, view)
             elif isinstance(element, ccode.For) and element.range is not None:
@@ -364,9 +360,6 @@ class FlowReader:
         hidden = str(function.name).startswith("operator") or (constructor and not self._classes.is_seen(str(function.name)))
         for parameter in function.parameters if hidden else ():
             self.flows.freeze(self.key(parameter), f"'{function.name}' is given it without a call in the text", computed=True)
-
-    def _construction(self, made: ccode.ConstructorCall, view: CodeView) -> None:
-        self._constructed(str(made.className), list(made.arguments), made, view)
 
     def _constructed(
         self,
@@ -604,64 +597,3 @@ def _designates(member: ccode.Member) -> bool:
     while isinstance(outer, (ccode.Member, ccode.Index)):
         inner, outer = outer, outer.eContainer()
     return isinstance(outer, ccode.Assignment) and outer.left is inner and isinstance(outer.eContainer(), ccode.InitializerList)
-
-
-def _written(reference: ccode.Expression) -> bool:
-    """Whether a reference to a variable, or to an element of it, changes it."""
-    inner, outer = reference, reference.eContainer()
-    while isinstance(outer, ccode.Index) and outer.array is inner:
-        inner, outer = outer, outer.eContainer()
-    if isinstance(outer, ccode.Assignment):
-        return outer.left is inner
-    return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
-
-
-class Initialisers:
-    """What many literals of one list or variable ask for, computed once."""
-
-    def __init__(self) -> None:
-        self._numbers: dict[ccode.InitializerList, dict[ccode.Located, int] | None] = {}
-        self._written: dict[ccode.Variable, bool] = {}
-
-    def numbers(self, values: ccode.InitializerList) -> dict[ccode.Located, int] | None:
-        """The index of each value of a list; None where a value is designated."""
-        if values not in self._numbers:
-            designated = any(is_designated(each) for each in values.elements)
-            self._numbers[values] = None if designated else {each: number for number, each in enumerate(values.elements)}
-        return self._numbers[values]
-
-    def is_written(self, variable: ccode.Variable) -> bool:
-        """Whether a reference to a variable, or to an element of it, changes it."""
-        if variable not in self._written:
-            self._written[variable] = any(_written(reference) for reference in variable.references)
-        return self._written[variable]
-
-
-def initialised_constant(
-    literal: ccode.IntegerLiteral | ccode.NameReference, known: Initialisers
-) -> tuple[str, str, ccode.Located]:
-    """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
-
-    The names are empty, and the element is the literal, where the literal initialises no constant.
-    """
-    inner: ccode.Located = literal
-    outer = literal.eContainer()
-    index = None
-    while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
-        if isinstance(outer, ccode.InitializerList):
-            numbers = known.numbers(outer)
-            if index is not None or numbers is None:
-                return "", "", literal
-            index = numbers[inner]
-        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
-    if not isinstance(outer, ccode.Variable):
-        return "", "", literal
-    function = ancestor_of_kind(outer, ccode.Function)
-    if known.is_written(outer):
-        return "", "", literal  # the name says no longer which port it is
-    name = str(outer.name) if index is None else f"{outer.name}[{index}]"
-    if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:
-        if outer.valueType.arrayDims or index is None or index >= len(record.fields):
-            return "", "", literal
-        name = f"{outer.name}.{record.fields[index].name}"
-    return name, str(function.name) if function is not None else "", outer if index is None else literal

@@ -24,7 +24,6 @@ class PortPlace(Struct, frozen=True):
         element: the literal, or the macro or enumerator that has the number in its text.
         name: of the constant or variable that holds it, `rows[2]` for an element of an array, empty for a bare number.
         within: the function that the name belongs to, empty at file scope.
-        wrapped: whether it is the number of an interrupt, in whose place the text needs the interrupt of a pin.
     """
 
     unit: ccode.SourceUnit
@@ -34,7 +33,6 @@ class PortPlace(Struct, frozen=True):
     element: ccode.Located
     name: str = ""
     within: str = ""
-    wrapped: bool = False
 
 
 class PinArgument(Struct, frozen=True):

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 
 from msgspec import Struct
 
-from robosmi.metamodels import migration, platform
-from robosmi.query import root_of
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import all_of_kind, ancestor_of_kind, root_of
 from robosmi.transformations.knowledge.platforms.board_pins import BoardPins, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.circuits.circuit import pin_literal
@@ -79,6 +79,25 @@ def proposed(plan: migration.MigrationPlan) -> list[migration.PortBinding]:
     """The ports whose pins are proposed."""
     by_rule = (b for b in plan.portBindings if b.chosenBy is migration.ChosenBy.rule and b.pin is not None)
     return [b for b in by_rule if b.connection is None and b.confidence == PROPOSED]
+
+
+def kept_calls(plan: migration.MigrationPlan) -> int:
+    """How many calls in the text run functions of the platform or of its libraries."""
+    units = list(plan.program.units) if plan.program is not None else []
+    calls = (call for unit in units for call in all_of_kind(unit, ccode.Call) if not call.viaMacro)
+    return sum(call.callee is None or ancestor_of_kind(call.callee, ccode.SourceUnit) is None for call in calls)
+
+
+def lost_pin_calls(plan: migration.MigrationPlan) -> set[tuple[str, int]] | None:
+    """The places of calls that could not be read and whose function takes a pin; None for a plan of two platforms.
+
+    In a program whose platform stays, the text of any other such call means the same as before.
+    """
+    if not keeps_platform(plan) or plan.source is None or plan.program is None:
+        return None
+    taking = {function for function, _ in ApiIndex.load(str(plan.source.name)).functions_with_pins()}
+    lost = ((unit, each) for unit in plan.program.units for each in unit.unresolved)
+    return {(str(unit.path), int(each.line)) for unit, each in lost if each.name in taking}
 
 
 def kept_pins(plan: object) -> KeptPins | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.libraries.library_pins import may_be_pin
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.library_pins import may_be_pin
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.board_move import BoardMove
 

@@ -94,8 +94,13 @@ def _numbered_as_pins(flow: Flow) -> bool:
         flow.kept.append(f"{flow.places[0].value} is a channel for '{numbered[0].name}', and a pin for '{others[0].function}'")
         return True
     flow.places = [
-        structs.replace(place, value=number, wrapped=kinds == {INTERRUPT}) if number is not None else place
+        structs.replace(place, value=number) if number is not None else place
         for place, number in zip(flow.places, meant, strict=True)
+    ]
+    kind, numbers = numbered[0].numbering, numbered[0].numbers
+    flow.arguments = [
+        structs.replace(argument, parameter=argument.parameter._replace(numbering=kind, numbers=numbers))
+        for argument in flow.arguments
     ]
     return True
 

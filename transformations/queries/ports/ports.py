@@ -152,8 +152,8 @@ def _flow_ports(
         known: list[Value] = []
         if argument.unplaced:
             unknown = True
-        elif (given := argument.given) is not None:
-            known = pin_values(argument.parameter, given, argument.argument, values[argument.unit.path])
+        elif (passed := argument.given) is not None:
+            known = pin_values(argument.parameter, passed, argument.argument, values[argument.unit.path])
             unknown |= any(value.number is None for value in known)
         else:
             made[position] = [(c, _given_by(c, argument.parameter, values[v.unit.path])) for v, c in macros.of(argument)]
@@ -165,11 +165,20 @@ def _flow_ports(
         numbers |= {place.value for place in flow.places}
     anything = False
     if unknown:
-        given = [v.number for unit, one in flow.given for v in reached[unit.path].of(one)]
-        computed = [v.number for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
+        meant = _meaning(flow)
+        given = [meant(v.number) for unit, one in flow.given for v in reached[unit.path].of(one)]
+        computed = [meant(v.number) for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
         numbers |= {pin_number(number) for number in (*given, *computed) if number is not None}
         anything = flow.computed or None in computed or not numbers
     return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine, made)
+
+
+def _meaning(flow: Flow) -> Callable[[int | None], int | None]:
+    """What a number in a flow is as that of a pin, where its functions take numbers of something else."""
+    parameters = [argument.parameter for argument in flow.arguments]
+    if not all(parameter.numbering for parameter in parameters):
+        return lambda number: number
+    return lambda number: None if number is None else parameters[0].pin_of(number)
 
 
 def _given_by(call: ccode.Call, parameter: PinParameter, values: Values) -> set[int | None]:
@@ -243,7 +252,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts], called: Calla
             taken = holder is not None and (holder[0] in shared or any(holder[0] == port.name for port in found.values()))
             if reached is not None and holder is not None and reached.origin != "declaration" and not taken:
                 reached.origin, reached.element = "declaration", holder[1]
-                reached.name, reached.names = holder[0], [called(number)]
+                reached.name, reached.names = holder[0], [called(number)] if number is not None else []
     return shared
 
 

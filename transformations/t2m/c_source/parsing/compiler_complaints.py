@@ -64,9 +64,12 @@ def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
     Args:
         program: the program, in C++.
     """
-    own = {"main"} | {
-        n.decode() for path, text in program.texts.items() if path.startswith(SKETCH) for n in _DEFINED.findall(text)
-    }
+    own = (
+        set[str]()
+        if program.complete
+        else {"main"}
+        | {n.decode() for path, text in program.texts.items() if path.startswith(SKETCH) for n in _DEFINED.findall(text)}
+    )
     told: dict[tuple[str, int], CompilerComplaint] = {}
     for _, unit in program.units:
         for each in _complaints(unit, program.texts, own):

@@ -94,8 +94,8 @@ class GeneratedNames:
         file, offset = clang.file_offset(location)
         name = clang.file_name(file)
         data = self.program.texts.get(name, b"")
-        made = _NAME.match(data, offset) if node.kind == kinds.INTEGER_LITERAL else None
-        if made is not None and what == "":
+        made = _NAME.match(data, offset) if node.kind in (kinds.INTEGER_LITERAL, kinds.DECL_REF_EXPR) else None
+        if made is not None and what == "" and made[0] != text.encode():
             return Origin(what, (made[0].decode(), 0, 0), text)
         return Origin(what, (name.removeprefix(f"{SKETCH}/"), data.count(b"\n", 0, offset) + 1, offset), text)
 

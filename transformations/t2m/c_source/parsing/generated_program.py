@@ -70,6 +70,8 @@ class GeneratedProgram:
         texts: absolute name -> the text that was parsed.
         units: each parsed file that is no header, with its handle in libclang.
         unread: the files that libclang gave up.
+        complete: whether the API's headers and the prototypes of the target's tools are there, so that what is not declared
+            is a library's.
     """
 
     def __init__(
@@ -90,7 +92,7 @@ class GeneratedProgram:
         self.files, self.adapters, self._vast = files, adapters, vast
         self.texts = {f"{SKETCH}/{name}": data for name, data in files.items()}
         self.texts[f"{SKETCH}/{adapters}"] = _BODIES.sub(rb"\1;", files.get(adapters, b""))
-        self._continued = frozenset(tabs[1:])
+        self._continued, self.complete = frozenset(tabs[1:]), api is not None
         if tabs:
             self.texts |= {f"{SKETCH}/{name}": data for name, data in _joined(files, tabs).items()}
         for data in files.values():
