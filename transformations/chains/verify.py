@@ -19,7 +19,7 @@ from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
 from robosmi.inputs import SOURCE, read_once, read_text
-from robosmi.metamodels import platform
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.generate import generate as generate_again
 from robosmi.transformations.chains.simulate import adjacent_plan
 from robosmi.transformations.chains.stages.edited_plan import STORED
@@ -227,7 +227,7 @@ def _compared(
         if report.elf is None:
             verdict.reasons.append(_too_big(report))
             return Verified(verdict, report)
-        side = TargetSide(_board(models, report), report, ports, engine, whole=vcd is not None)
+        side = TargetSide(_board(models, report), report, ports, engine, vcd is not None, _source_mv(plan))
         verdict.engine = side.engine
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
@@ -248,7 +248,7 @@ def _compared(
         targets = {str(use.name): str(use.targetName or use.name) for use in plan.adapterUses}
         if own := written_in(_sketch_files(output), {targets[name] for name in program.stubbed}):
             stubbed = _compiled_with_stubs(output, folder / "stubbed", own)
-            side = TargetSide(_board(models, stubbed), stubbed, ports, engine, whole=vcd is not None)
+            side = TargetSide(_board(models, stubbed), stubbed, ports, engine, vcd is not None, _source_mv(plan))
         called = {str(use.name) for use in plan.adapterUses}
         if program.is_store_comparable({port.source for port in ports}):
             program = program.with_store_bytes(side.store_bytes)
@@ -343,6 +343,12 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
 def _board(models: MigrationModels, report: CompileReport) -> platform.Board:
     stored = models.plan.board
     return stored if stored is not None and stored.name == report.board else load_board(report.board)
+
+
+def _source_mv(plan: migration.MigrationPlan) -> float:
+    """The supply of the source board, if the plan has one, whose parts are fed by it; else 0."""
+    board = source_board_of(plan)
+    return board.volts * 1000 if board is not None else 0.0
 
 
 def _sketch_files(output: Path) -> list[Path]:
