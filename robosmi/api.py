@@ -111,6 +111,10 @@ class MigratedSketch(Protocol):
         """Whether the files were written (not in a dry run)."""
 
     @property
+    def open_choices(self) -> int:
+        """How many choices are left to a person."""
+
+    @property
     def verification(self) -> tuple[Mapping[str, Json], int] | None:
         """The comparison with the original in the contract's form, and its exit code; None if none was requested."""
 

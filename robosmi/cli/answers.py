@@ -123,6 +123,9 @@ class SimulatedSketch(Analysed, Protocol):
 class ChosenSketch(MigratedSketch, Protocol):
     """A sketch that was made again after a choice."""
 
+    def lines(self, *, every_file: bool = False) -> list[str]:
+        """What a person reads, with the changes of the main file or of every file."""
+
     @property
     def settings(self) -> Project:
         """The settings of its project."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -39,6 +40,11 @@ def output_folder(text: str) -> Path:
     if not text.strip() or "\0" in text:
         raise UsageError("the name of the output folder is empty", fix="give a folder: -o OUT (or -o . for the current one)")
     return Path(text)
+
+
+def command_line(command: str, *words: str | Path) -> str:
+    """A command of `robosmi` as a person types it in a POSIX shell."""
+    return shlex.join(["robosmi", command, *map(str, words)])
 
 
 def pairs(texts: list[str], option: str) -> dict[str, str]:

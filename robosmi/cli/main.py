@@ -22,7 +22,7 @@ import time
 from collections.abc import Sequence
 from contextlib import nullcontext, redirect_stdout, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import Any, NoReturn
 
 from robosmi import plugins
 from robosmi.base import foreign_code
@@ -49,42 +49,58 @@ from robosmi.inputs import fix_of
 from robosmi.plugins import plugin_findings
 from robosmi.quoting import json_text, terminal
 
-if TYPE_CHECKING:
-    from robosmi.cli.options import Options
-
-
-COMMANDS = {
-    "demo": "migrate the example that comes with RoboSMi and open it in the browser",
-    "analyse": "list what a program uses of its platform",
-    "hardware": "list which pin of a drawn board drives which component",
-    "recommend": "recommend a library for each component",
-    "migrate": "move a program to the board of a drawing",
-    "choose": "change a decision of a migration and update the sketch",
-    "open": "decide and check in the browser",
-    "report": "save the page of a migration as one file, to read or print",
-    "generate": "generate the sketch from a stored plan",
-    "wiring": "export the wiring for another tool, as a table or as a picture",
-    "undo": "restore an output folder to its state before the last run",
-    "check": "check a drawing, a plan or a model",
-    "compile": "compile a generated sketch",
-    "upload": "upload a compiled sketch to its board",
-    "simulate": "simulate a generated program and show its console and pins",
-    "verify": "compare the behaviour of the original and the migrated program",
-    "adapters": "list, show and save adapters (replacements for the source platform's functions)",
-    "history": "list, export and import earlier library choices",
-    "libraries": "add installed libraries to the index",
-    "run": "run the steps of a chain that have changed",
-    "query": "query a model of any technology",
-    "parts": "add a drawing tool's parts to the catalogue",
-    "platform": "create a source platform from its headers",
-    "metamodels": "export the metamodels, or generate Python packages from one",
-    "targets": "list the boards that programs can be moved to, and what results are proven by",
-    "trust": "allow a folder's own code to run",
-    "mcp": "serve the commands as tools for assistants, confined to one folder",
-    "explain": "explain a rule, with an example and what to do",
-    "doctor": "report what is installed and what is missing",
-    "completion": "print a completion script for bash, zsh or fish",
+GROUPS = {
+    "start": {
+        "demo": "migrate the example that comes with RoboSMi and open it in the browser",
+        "analyse": "list what a program uses of its platform",
+        "hardware": "list which pin of a drawn board drives which component",
+        "recommend": "recommend a library for each component",
+        "migrate": "move a program to the board of a drawing",
+    },
+    "decide": {
+        "open": "decide and check in the browser",
+        "choose": "change a decision of a migration and update the sketch",
+        "undo": "restore an output folder to its state before the last run",
+        "generate": "generate the sketch from a stored plan",
+        "explain": "explain a rule, with an example and what to do",
+    },
+    "prove": {
+        "check": "check a drawing, a plan or a model",
+        "compile": "compile a generated sketch",
+        "simulate": "simulate a generated program and show its console and pins",
+        "verify": "compare the behaviour of the original and the migrated program",
+        "upload": "upload a compiled sketch to its board",
+    },
+    "share": {
+        "report": "save the page of a migration as one file, to read or print",
+        "wiring": "export the wiring for another tool, as a table or as a picture",
+    },
+    "models": {
+        "query": "query a model of any technology",
+        "run": "run the steps of a chain that have changed",
+        "metamodels": "export the metamodels, or generate Python packages from one",
+    },
+    "data": {
+        "targets": "list the boards that programs can be moved to, and what results are proven by",
+        "adapters": "list, show and save adapters (replacements for the source platform's functions)",
+        "history": "list, export and import earlier library choices",
+        "libraries": "add installed libraries to the index",
+        "parts": "add a drawing tool's parts to the catalogue",
+        "platform": "create a source platform from its headers",
+    },
+    "setup": {
+        "doctor": "report what is installed and what is missing",
+        "trust": "allow a folder's own code to run",
+        "mcp": "serve the commands as tools for assistants, confined to one folder",
+        "completion": "print a completion script for bash, zsh or fish",
+    },
 }
+"""What a command is for, in the order in which a person needs it: group -> command -> summary."""
+
+COMMANDS = {name: summary for group in GROUPS.values() for name, summary in group.items()}
+
+FIRST_COMMANDS = ("demo", "migrate", "open", "verify", "doctor")
+"""The commands that a new user needs first, in their order."""
 
 ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
     (UsageError, "RS901"),
@@ -100,10 +116,10 @@ ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
 
 
 class _Help(argparse.HelpFormatter):
-    """Help whose example stands in one line, so that it can be copied."""
+    """Help whose example stands in one line, so that it can be copied, and whose list of commands keeps its lines."""
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
-        return f"{indent}{text}" if text.startswith("example: ") else super()._fill_text(text, width, indent)
+        return text if text.startswith(("example: ", "first: ")) else super()._fill_text(text, width, indent)
 
 
 class _Parser(argparse.ArgumentParser):
@@ -125,27 +141,46 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
     """
     from robosmi import __version__
 
-    parser = _Parser(prog="robosmi", description="Move robot software between microcontroller boards with models.")
+    parser = _Parser(
+        prog="robosmi", usage="robosmi COMMAND ...", epilog=_summaries(), formatter_class=_Help,
+        description="Move robot software between microcontroller boards with models.",
+    )  # fmt: skip
     parser.add_argument("--version", action="version", version=f"robosmi {__version__}")
-    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=_Parser)
+    commands = parser.add_subparsers(
+        dest="command", metavar="COMMAND", required=True, prog="robosmi", parser_class=_Parser, help=argparse.SUPPRESS
+    )
     for name in [command] if command is not None and command in COMMANDS else list(COMMANDS):
         summary = COMMANDS[name]
-        sub: Options = commands.add_parser(
-            name, help=summary, description=summary[0].upper() + summary[1:] + ".", epilog=f"example: {EXAMPLES[name]}",
+        sub = commands.add_parser(
+            name, description=summary[0].upper() + summary[1:] + ".", epilog=f"example: {EXAMPLES[name]}",
             formatter_class=_Help,
-        )  # fmt: skip
-        sub.add_argument("--json", action="store_true", help="print only one JSON document to stdout")
-        sarif_file.add_option(sub)
-        sub.add_argument(
-            "-v", "--verbose", action="store_true", help="show every finding, not only the first of many similar ones"
-        )
-        sub.add_argument(
-            "--fail-on", choices=("info", "warning", "error", "never"), default="error",
-            help="exit with 1 on a finding of at least this severity (default: error)",
         )  # fmt: skip
         if name == command:
             importlib.import_module(f"robosmi.cli.commands.{name}").configure(sub)
+        _add_common_options(sub)
     return parser
+
+
+def _summaries() -> str:
+    """Each command with its summary, in groups; first the ones that a new user needs."""
+    first = "first: " + ", ".join(f"robosmi {name}" for name in FIRST_COMMANDS)
+    groups = [
+        "\n".join([f"{group}:", *(f"    {name:<12}{said}" for name, said in named.items())]) for group, named in GROUPS.items()
+    ]
+    return "\n\n".join([first, *groups, "robosmi COMMAND --help shows a command's options and an example."])
+
+
+def _add_common_options(parser: argparse.ArgumentParser) -> None:
+    common = parser.add_argument_group("options of every command")
+    common.add_argument("--json", action="store_true", help="print only one JSON document to stdout")
+    sarif_file.add_option(common)
+    common.add_argument(
+        "-v", "--verbose", action="store_true", help="show every finding, not only the first of many similar ones"
+    )
+    common.add_argument(
+        "--fail-on", choices=("info", "warning", "error", "never"), default="error",
+        help="exit with 1 on a finding of at least this severity (default: error)",
+    )  # fmt: skip
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

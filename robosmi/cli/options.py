@@ -33,6 +33,10 @@ class Options(Protocol):
     ) -> argparse.Action:
         """Declare an option, or an argument without a name."""
 
+
+class ActionOptions(Options, Protocol):
+    """A parser of `argparse` whose command has actions."""
+
     def add_subparsers(self, *, dest: str | None = ..., metavar: str | None = ..., required: bool = ...) -> Actions:
         """Declare that the next word names an action with options of its own."""
 

@@ -31,6 +31,7 @@ class Report(Struct):
         ok: whether the command did what it was asked to.
         failure_code: the exit code when it did not.
         lines: text for a terminal.
+        next: the command that a person usually runs next, for a terminal; empty for none.
         then: what goes on once the report is printed, such as a page that is served; None for nothing.
     """
 
@@ -43,6 +44,7 @@ class Report(Struct):
     ok: bool = True
     failure_code: int = 1
     lines: list[str] = []
+    next: str = ""
     then: Callable[[], None] | None = None
     timings: dict[str, float] = {}
     started: float = field(default_factory=time.perf_counter)

@@ -32,6 +32,8 @@ def terminal_text(report: Report, *, verbose: bool = False, colour: bool = False
         lines += _finding(finding, colour)
         if more:
             lines.append(f"  and {more} more of {finding.rule} (-v shows all)")
+    if report.next:
+        lines.append(terminal(f"next: {report.next}"))
     return "\n".join(lines)
 
 

@@ -52,6 +52,17 @@ def test_a_choice_is_in_the_plan_in_the_project_file_and_in_the_sketch(out: Path
     assert done.command.endswith("port:leftQTI=D10 --why 'it looks to the left'")
 
 
+def test_a_person_reads_the_answers_and_the_changes_of_the_sketch_and_more_only_on_request(out: Path) -> None:
+    done = choose(out, {"leftQTI": "D10"})
+    short, long = done.lines(), done.lines(every_file=True)
+    assert short[0] == "port:leftQTI = D10"
+    assert "--- a/line_follower/line_follower.ino" in short
+    assert not any(line.startswith("---") and "MIGRATION.md" in line for line in short)
+    assert "line_follower/MIGRATION.md" in short[-1]
+    assert "--- a/line_follower/MIGRATION.md" in long
+    assert "\n".join(long).endswith(done.diff)
+
+
 def test_options_stay_after_a_choice_and_a_port_is_offered_free_pins_and_none(out: Path) -> None:
     before = [o["value"] for o in chosen(out, "port:leftQTI")["options"]]
     assert before[-1] == "none"

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.cli.main import COMMANDS
+from robosmi.cli.main import COMMANDS, FIRST_COMMANDS, GROUPS
 from tests.running import run
 from tests.tools import require_tools
 from tests.transformations.t2m.fritzing.support import LABELS
@@ -244,10 +244,30 @@ def test_every_command_explains_its_options(command: str) -> None:
     assert "--json" in outcome.out
 
 
+def test_each_step_ends_with_the_command_that_follows(line_follower: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    steps = [("analyse", line_follower), ("migrate", line_follower, "-o", out, "--yes"), ("choose", out, "--reopen", "leftQTI")]
+    following = [next(line for line in reversed(run(*step).out.splitlines()) if line) for step in steps]
+    assert [line.split()[:3] for line in following] == [["next:", "robosmi", name] for name in ("migrate", "compile", "open")]
+    assert "next: " not in run("migrate", line_follower, "-o", out, "--yes", "--json").out
+    assert "next: " not in run("migrate", line_follower, "-o", out, "--yes", "--dry-run").out
+
+
 def test_the_summary_names_every_command() -> None:
     outcome = run("--help")
     assert outcome.code == 0
-    assert all(f"\n    {command}" in outcome.out for command in COMMANDS)
+    assert all(outcome.out.count(f"\n    {command} ") == 1 for command in COMMANDS)
+    assert all(f"\n{group}:\n" in outcome.out for group in GROUPS)
+    first = next(line for line in outcome.out.splitlines() if line.startswith("first: "))
+    assert first.split(": ", 1)[1].split(", ") == [f"robosmi {command}" for command in FIRST_COMMANDS]
+    assert set(FIRST_COMMANDS) < set(COMMANDS)
+
+
+@pytest.mark.parametrize("command", ["migrate", "parts"])
+def test_a_commands_own_options_stand_before_those_of_every_command(command: str) -> None:
+    text = run(command, "--help").out
+    own, common = text.split("options of every command:")
+    assert all(option in common and f"\n  {option}" not in own for option in ("--json", "--sarif", "--verbose", "--fail-on"))
 
 
 def test_without_json_a_person_reads_text_on_stdout_and_errors_on_stderr(line_follower: Path) -> None:

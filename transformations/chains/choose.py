@@ -82,14 +82,24 @@ class Chosen(Generated):
             "diff": self.diff,
         }
 
-    def lines(self) -> list[str]:
-        """What a person reads."""
+    def lines(self, *, every_file: bool = False) -> list[str]:
+        """What a person reads: the answers, the changes of the sketch's main file, the names of other files that changed.
+
+        Args:
+            every_file: show the changes of all files.
+        """
         would = "" if self.written else "would be "
         lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
         left = len(open_choices(self.models.plan))
         where = f" and in {self.updated_project}" if self.project is not None else ""
         lines.append(f"{would}saved in the plan{where}; {left} choice{'s' * (left != 1)} open")
-        return [*lines, *self.diff.splitlines()]
+        if every_file:
+            return [*lines, *self.diff.splitlines()]
+        main = f"{self.sketch.name}/{self.sketch.name}."
+        for name, change in self.changes.items():
+            lines += change.splitlines() if name.startswith(main) else ()
+        others = [name for name in self.changes if not name.startswith(main)]
+        return [*lines, f"also changed: {', '.join(others)} (-v shows how)"] if others else lines
 
 
 @again_when_changed

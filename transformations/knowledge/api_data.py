@@ -56,6 +56,8 @@ class PortSettings(TypedDict, total=False):
     board: dict[str, BoardPort]
     roles: dict[str, str]
     usual: dict[str, list[str]]
+    tones: dict[str, int]
+    own: dict[str, str]
     mirrored: list[str]
     discharges: list[str]
     interrupt_of: str

@@ -11,10 +11,10 @@ from robosmi.report import Report
 
 if TYPE_CHECKING:
     from robosmi.cli.answers import AdapterAnswer
-    from robosmi.cli.options import Options
+    from robosmi.cli.options import ActionOptions
 
 
-def configure(parser: Options) -> None:
+def configure(parser: ActionOptions) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     listing = actions.add_parser("list", help="list the functions with an adapter, and its origin")

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from robosmi.cli.common import add_source_board, add_source_options, write_model
+from robosmi.cli.common import add_source_board, add_source_options, command_line, write_model
 from robosmi.cli.progress import progress
 from robosmi.plugins import content
 from robosmi.project import project_of
@@ -53,6 +53,8 @@ def run(arguments: _Arguments) -> Report:
         )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
+    if report.ok:
+        report.next = command_line("migrate", *arguments.files, "--hardware", "DRAWING", "-o", "OUT")
     if arguments.output:
         report.artifacts.append(write_model(done.program, arguments.output))
     return report

@@ -43,6 +43,7 @@ class _Arguments(argparse.Namespace):
     source: Path | None
     history: str | None
     dry_run: bool
+    verbose: bool
 
 
 def run(arguments: _Arguments) -> Report:
@@ -61,4 +62,7 @@ def run(arguments: _Arguments) -> Report:
         arguments.output, answers | dict.fromkeys(arguments.reopen, ""), why=arguments.why, source=arguments.source,
         dry_run=arguments.dry_run, history=arguments.history,
     )  # fmt: skip
-    return filled(report, done, done.settings.severity, done.settings.accept)
+    filled(report, done, done.settings.severity, done.settings.accept)
+    if arguments.verbose:
+        report.lines = done.lines(every_file=True)
+    return report

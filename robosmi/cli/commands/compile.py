@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from robosmi.cli.common import output_folder
+from robosmi.cli.common import command_line, output_folder
 from robosmi.report import Report
 
 if TYPE_CHECKING:
@@ -41,6 +41,8 @@ def run(arguments: _Arguments) -> Report:
     report.findings = list(compiled.diagnostics)
     report.artifacts = compiled.artifacts()
     report.lines = _lines(compiled)
+    if report.ok:
+        report.next = command_line("verify", arguments.output)
     return report
 
 

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from robosmi.cli.common import check_replaced, write_model
+from robosmi.cli.common import check_replaced, command_line, write_model
 from robosmi.cli.progress import progress
 from robosmi.files.files import write_atomic
 from robosmi.plugins import content
@@ -46,6 +46,8 @@ def run(arguments: _Arguments) -> Report:
         done: AnalysedDrawing = content("chain", "hardware")(given, roles=project.roles, target=target, progress=told)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
+    if report.ok:
+        report.next = command_line("migrate", "PROGRAM.c", "--hardware", arguments.sketch, "-o", "OUT")
     if arguments.output:
         report.artifacts.append(write_model(done.circuit, arguments.output))
     if arguments.svg:

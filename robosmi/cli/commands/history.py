@@ -13,10 +13,10 @@ from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.cli.options import Options
+    from robosmi.cli.options import ActionOptions
 
 
-def configure(parser: Options) -> None:
+def configure(parser: ActionOptions) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     listing = actions.add_parser("list", help="list the choices")

@@ -13,12 +13,12 @@ from robosmi.report import Report
 if TYPE_CHECKING:
     from robosmi.api import Analysed
     from robosmi.cli.answers import ImportedLibraries
-    from robosmi.cli.options import Options
+    from robosmi.cli.options import ActionOptions
 
 _SHOWN = 10
 
 
-def configure(parser: Options) -> None:
+def configure(parser: ActionOptions) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     taking = actions.add_parser("import", help="add a folder's libraries to the index")

@@ -11,10 +11,10 @@ from robosmi.cli.common import output_folder
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.cli.options import Options
+    from robosmi.cli.options import ActionOptions
 
 
-def configure(parser: Options) -> None:
+def configure(parser: ActionOptions) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     export = actions.add_parser("export", help="write the .ecore files, for Eclipse")

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
-from robosmi.cli.common import add_source_board, add_source_options, output_folder, pairs
+from robosmi.cli.common import add_source_board, add_source_options, command_line, output_folder, pairs
 from robosmi.cli.progress import progress
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
@@ -131,6 +131,8 @@ def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], ac
     report.artifacts = made.artifacts()
     report.lines = made.lines()
     report.judge(severity, accept)
+    if made.written:
+        report.next = command_line("open" if made.open_choices else "compile", made.output)
     return report
 
 

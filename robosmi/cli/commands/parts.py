@@ -13,10 +13,10 @@ from robosmi.resources import user_data
 
 if TYPE_CHECKING:
     from robosmi.cli.answers import ImportedParts
-    from robosmi.cli.options import Options
+    from robosmi.cli.options import ActionOptions
 
 
-def configure(parser: Options) -> None:
+def configure(parser: ActionOptions) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     add = actions.add_parser("import", help="read part definitions and assign each a role")

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from robosmi.cli.common import check_replaced
+from robosmi.cli.common import check_replaced, command_line
 from robosmi.plugins import content
 from robosmi.report import Report
 
@@ -103,5 +103,7 @@ def run(arguments: _Arguments) -> Report:
         )
     report.lines += [f"picture of both programs: {path}" for path, kind in done.written if kind == "picture"]
     report.lines += done.notes
+    if report.ok:
+        report.next = command_line("upload", arguments.output, "--port", "PORT")
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

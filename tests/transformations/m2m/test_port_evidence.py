@@ -29,6 +29,20 @@ def test_evidence_binds_a_port_or_leaves_it_open(case: Path) -> None:
             assert 0.8 <= binding.confidence < 1
 
 
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if "# first " in (case / "wiring.csv").read_text()], ids=lambda path: path.name
+)
+def test_what_the_program_says_beside_an_open_port_orders_its_options(case: Path) -> None:
+    wiring = case / "wiring.csv"
+    wanted = dict(re.findall(r"^# first (\S+) = (\S+)$", wiring.read_text(), re.MULTILINE))
+    plan = robosmi.plan_migration([case / "program.c"], hardware=wiring).plan
+    pins = {c.name: c.pin.label for c in plan.connections if c.pin is not None}
+    offered = {choice.subject: choice.options for choice in available_choices(plan) if choice.chosen is None}
+    assert {name: pins.get(offered[name][0].value, offered[name][0].value) for name in wanted} == wanted
+    assert all(len({option.value for option in options}) == len(options) for options in offered.values())
+    assert all(offered[name][0].score < 0.5 for name in wanted)  # it only orders: nothing is decided by it
+
+
 def test_the_feedback_of_a_servo_is_an_encoder_where_a_person_binds_it(tmp_path: Path) -> None:
     case = Path(__file__).parent / "port_evidence" / "feedback_servos"
     bound = {"abdrive360.left_encoder": "D4", "abdrive360.right_encoder": "D5"}

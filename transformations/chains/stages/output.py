@@ -55,7 +55,7 @@ class Generated(Struct):
         new_choices: libraries that a person chose and that no earlier run into this folder has counted.
         notes: findings of this run that are not the plan's.
         verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
-        diff: what a dry run would change, or what was changed where that was asked for; else empty.
+        changes: relative path -> how the file changed, or would in a dry run; empty unless that was asked for.
         counted: what was counted of the plan for its report.
         program: the files of the program as generated, without edits.
     """
@@ -67,14 +67,24 @@ class Generated(Struct):
     new_choices: list[migration.LibraryChoice] = []
     notes: list[Finding] = []
     verification: tuple[dict[str, Json], int] | None = None
-    diff: str = ""
+    changes: dict[str, str] = {}
     counted: Counted | None = None
     program: Generation | None = None
+
+    @property
+    def diff(self) -> str:
+        """All changes as one text."""
+        return "\n".join(self.changes.values())
 
     @property
     def sketch(self) -> Path:
         """The sketch's folder."""
         return self.output / self.models.plan.name
+
+    @property
+    def open_choices(self) -> int:
+        """How many choices are left to a person."""
+        return len(open_choices(self.models.plan))
 
     @property
     def findings(self) -> list[Finding]:
@@ -178,10 +188,10 @@ def produce(
             refuse_others(done, writing)
         if not dry_run:
             commit(done, writing, inputs or {}, outside, amending=report_only)
-    changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else ""
+    changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else {}
     new = [choice for key, choice in chosen_by_persons(models.plan).items() if key not in done.folder.manifest.choices]
     return Generated(
-        models, output, writing.every, not dry_run, new, done.kept.findings, diff=changes, counted=known, program=done.program
+        models, output, writing.every, not dry_run, new, done.kept.findings, changes=changes, counted=known, program=done.program
     )
 
 

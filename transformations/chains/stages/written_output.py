@@ -116,23 +116,23 @@ def _key(choice: migration.LibraryChoice) -> str:
     return f"{component.elementId if component is not None else ''} {choice.choice}"
 
 
-def shown_changes(places: Places, writing: Writing, word: str) -> str:
-    """The changes to files that a person reads, as a unified diff; models are only listed, with the given word."""
+def shown_changes(places: Places, writing: Writing, word: str) -> dict[str, str]:
+    """The changes to each file that a person reads, as a unified diff; models are only listed, with the given word."""
     from difflib import unified_diff  # few runs show changes
 
-    lines: list[str] = []
+    changes: dict[str, str] = {}
     after: dict[str, bytes | None] = {**writing.contents, **dict.fromkeys(writing.going)}
     for name in sorted(after):
         old, new = places.look(name), after[name]
         if old == new or name.startswith(".robosmi"):
             continue
         if name.startswith(f"{FOLDER}/"):
-            lines.append(f"{'model' if name.endswith('.xmi') else 'copy'} {name} {word}")
+            changes[name] = f"{'model' if name.endswith('.xmi') else 'copy'} {name} {word}"
             continue
         a, b = ((data or b"").decode("utf-8", "replace").split("\n") for data in (old, new))
         left, right = f"a/{name}" if old is not None else "/dev/null", f"b/{name}" if new is not None else "/dev/null"
-        lines += unified_diff(a, b, left, right, lineterm="")
-    return "\n".join(lines)
+        changes[name] = "\n".join(unified_diff(a, b, left, right, lineterm=""))
+    return changes
 
 
 def _made_by_runs(name: str) -> bool:

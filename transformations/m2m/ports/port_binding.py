@@ -27,7 +27,7 @@ from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
-from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
+from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet, remarks_for, tone_kinds
 from robosmi.transformations.queries.circuits.component_kinds import misleading_title
 from robosmi.transformations.queries.circuits.former_titles import former_name
 from robosmi.transformations.queries.flows.value_flows import PinArgument
@@ -192,7 +192,9 @@ def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: 
     siblings += [p.name for p in found.ports if p.origin == "declaration"]
     role = _role(port, facts.get("roles", {}), api)
     names = [argument.parameter.name for argument in given]
-    return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})), _is_split(port, split))
+    usual = tone_kinds(port.uses, facts.get("tones", {})) or _usual(port, facts.get("usual", {}))
+    own = facts.get("own", {}).get(f"P{port.pin}", "")
+    return Seat(binding, _words(port, api), names, siblings, role, usual, _is_split(port, split), port.uses, own)
 
 
 def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
@@ -427,15 +429,21 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
 def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
     """Set a port's options, best first: connections with evidence for them, or else all that are possible."""
     fits = [(found, connection) for connection in free if (found := fit(seat, connection)) is not None]
-    ranked = sorted(fits, key=lambda pair: -pair[0].points)
-    for found, connection in [pair for pair in ranked if pair[0].points > 0] or ranked:
-        seat.binding.options.append(
-            migration.Option(
-                label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=[*(found.reasons or ["weak match: only input/output agrees"]),
-                    *filter(None, [misleading_title(connection)])],
-            )
+    fits = [pair for pair in fits if pair[0].points > 0] or fits
+    options = []
+    if seat.own and not any(found.points > 0 for found, _ in fits):
+        unwired = migration.Option(label=NOT_WIRED, score=0.3, reasons=[f"not connected: {seat.own}"])
+        options.append(((0.0, False, 0.0, False), unwired))
+    for found, connection in fits:
+        meets, (remarks, reasons) = may_meet(seat, connection), remarks_for(seat, connection)
+        said = [*found.reasons, *([_usual_components(seat)] if meets and not found.points else []), *reasons]
+        score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 else 0.1
+        option = migration.Option(
+            label=connection.name, score=score,
+            reasons=[*(said or ["weak match: only input/output agrees"]), *filter(None, [misleading_title(connection)])],
         )  # fmt: skip
+        options.append(((-found.points, meets is False, -remarks, not meets), option))
+    seat.binding.options.extend(option for _, option in sorted(options, key=lambda pair: pair[0]))
 
 
 def _single_bests(fits: Mapping[tuple[int, int], Fit]) -> set[tuple[int, int]]:

@@ -1,16 +1,22 @@
 """Evidence for and against a port being on a connection: directions, kinds of components, names, connectors.
 
+What the program says beside a port (the variable that gets its value, a comment at its line) decides nothing: a comment may be
+older than the code. It only orders the options of a port that stays open.
+
 Words and kinds are those of `queries.circuits.component_kinds`. Which port gets which connection is decided in `port_binding`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import pairwise
 
 from msgspec import Struct
 
-from robosmi.metamodels import migration
+from robosmi.metamodels import ccode, migration
+from robosmi.model.elements.strict import Element
 from robosmi.transformations.queries.circuits.component_kinds import (
     EMPTY_WORDS,
     RECEIVES,
@@ -20,16 +26,20 @@ from robosmi.transformations.queries.circuits.component_kinds import (
     connector_words,
     is_serial,
     kinds_of,
+    kinds_of_part,
     known_roles,
     significant_words,
 )
+from robosmi.transformations.queries.code import unit_of
+from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.port_pins import measures
+from robosmi.transformations.queries.values import Values
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
 _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
 
 
-class Seat(Struct, frozen=True):
+class Seat(Struct, frozen=True, dict=True):
     """A port that is to be bound to a connection, with what is known about it.
 
     Attributes:
@@ -40,6 +50,8 @@ class Seat(Struct, frozen=True):
         role: the kind of component that the functions expect; empty for any.
         usual: the kinds that such functions are usually used with; empty if unknown.
         split: whether its functions can use a component with a separate wire for each direction.
+        uses: where the program uses it.
+        own: what boards of the source have at the port themselves; empty if nothing is known.
     """
 
     binding: migration.PortBinding
@@ -49,6 +61,29 @@ class Seat(Struct, frozen=True):
     role: str
     usual: frozenset[str]
     split: bool = False
+    uses: Sequence[PinUse] = ()
+    own: str = ""
+
+    @cached_property
+    def remarks(self) -> Sequence[Remark]:
+        """What the program says beside the first uses of the port, without repetitions."""
+        return list(dict.fromkeys(each for use in self.uses[:MOST_USES] for each in _remarks(use)))
+
+
+class Remark(Struct, frozen=True):
+    """Words beside a use of a port.
+
+    Attributes:
+        place: what has them, for a reason.
+        words: in lower case, without those that say nothing of a device.
+    """
+
+    place: str
+    words: frozenset[str]
+
+
+MOST_USES = 8
+"""Uses of a port whose surroundings are read."""
 
 
 class Fit(Struct, frozen=True):
@@ -96,7 +131,9 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
         reasons.append(f"both names contain '{', '.join(sorted(shared))}'")
     elif by_name:
         reasons.append(f"its name suggests: {', '.join(sorted(by_name))}")
-    points = 2.0 * by_role + len(shared) + (len(by_name) if not shared else 0)
+    points = (
+        (2.0 if seat.role in kinds_of_part(connection) else 1.5) * by_role + len(shared) + (len(by_name) if not shared else 0)
+    )
     if points or _goes_together(seat, connection, known):
         for purpose in sorted(purposes & wanted)[:1]:
             reasons.append(f"its connector has the same purpose: {purpose}")
@@ -111,6 +148,94 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
         reasons.append(f"both names contain '{', '.join(sorted(side))}'")
         points += 0.5 * len(side)
     return Fit(points, tuple(reasons), by_role)
+
+
+def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, list[str]]:
+    """How much the remarks of a port speak for a connection (below 0: against it), and the reasons."""
+    known = known_roles()
+    theirs, kinds = significant_words(component_texts(connection)), kinds_of(connection)
+    points, reasons = 0.0, []
+    for remark in seat.remarks:
+        named = {role for role, words in known.roles.items() if remark.words & words}
+        shared = sorted(remark.words & theirs) or sorted(named & kinds)
+        if any(remark.words & group and theirs & group and not remark.words & theirs & group for group in known.apart):
+            points -= 2
+        elif shared:
+            points += len(shared)
+            reasons.append(f"{remark.place} says '{', '.join(shared)}'")
+    return points, reasons
+
+
+AUDIBLE_HZ = range(20, 20_001)
+"""What people hear."""
+
+
+def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int]) -> frozenset[str]:
+    """The kinds of components that tones of these frequencies are for; empty if the uses disagree or are no tones.
+
+    Args:
+        uses: of one port.
+        tones: function that makes a tone -> the place of its frequency among its arguments.
+    """
+    numbers = {number for use in uses if use.function in tones for number in _frequencies(use.call, tones[use.function])}
+    known = known_roles()
+    if numbers and all(number in AUDIBLE_HZ for number in numbers):
+        return known.audible
+    if numbers and all(number is not None and number >= AUDIBLE_HZ.stop for number in numbers):
+        return known.inaudible
+    return frozenset()
+
+
+def _frequencies(call: ccode.Expression, place: int) -> set[int | None]:
+    """The values that an argument of a call may have, with None for those that only the running program knows."""
+    unit = unit_of(call)
+    if unit is None or unit.program is None:
+        return {None}
+    given = list(call.arguments)[place : place + 1] if isinstance(call, ccode.Call) else []
+    return {value.number for each in given for value in Values(unit.program, unit).of(each)}
+
+
+def _remarks(use: PinUse) -> Iterator[Remark]:
+    """The variable that gets the value of a use, and the comments at its line or alone on the line above.
+
+    A burst of light is read in the next line: the side of what is read there is the side of the light.
+    """
+    if (name := _receiver(use.call)) and (words := significant_words([name])):
+        yield Remark(f"the variable '{name}'", frozenset(words))
+    unit = unit_of(use.call)
+    comments = unit.comments if unit is not None else ()
+    beside = [c for c in comments if c.line == use.line]
+    above = [c for c in comments if c.endLine == use.line - 1 and c.column == use.call.column]
+    for comment in beside or above:
+        if words := significant_words([comment.text]):
+            yield Remark(f"the comment in line {comment.line}", frozenset(words))
+    sides = frozenset().union(*known_roles().apart)
+    if use.direction == "out" and (following := _read_next(use.call)) and (words := significant_words([following]) & sides):
+        yield Remark(f"'{following}', which is read next,", frozenset(words))
+
+
+def _read_next(call: ccode.Expression) -> str:
+    """The variable that gets a value in the statement after a call; empty if there is none."""
+    statement: Element | None = call
+    while statement is not None and not isinstance(statement, ccode.Statement):
+        statement = statement.eContainer()
+    block = statement.eContainer() if statement is not None else None
+    if not isinstance(block, ccode.Block):
+        return ""
+    following = next((later for each, later in pairwise(block.statements) if each is statement), None)
+    value = following.expression if isinstance(following, ccode.ExpressionStatement) else None
+    return _receiver(value.right) if isinstance(value, ccode.Assignment) and value.right is not None else ""
+
+
+def _receiver(expression: Element) -> str:
+    """The name of the variable that gets a value as it is, or negated or converted; empty if there is none."""
+    holder = expression.eContainer()
+    while isinstance(holder, (ccode.Cast, ccode.Unary)):
+        holder = holder.eContainer()
+    if isinstance(holder, ccode.Variable):
+        return str(holder.name)
+    target = holder.left if isinstance(holder, ccode.Assignment) else None
+    return str(target.name) if isinstance(target, (ccode.NameReference, ccode.Member)) else ""
 
 
 def may_meet(seat: Seat, connection: migration.Connection) -> bool | None:

@@ -42,6 +42,7 @@ class PortWords(Struct, frozen=True):
         vocabulary: the words of more than two letters, which others may be put together of.
         kinds: purpose of a connector -> the kind that a component is of, too, at such a connector.
         negations: words by which a title says what a component is not.
+        audible, inaudible: the kinds that a tone is for which people hear, and one above.
     """
 
     roles: dict[str, frozenset[str]]
@@ -50,6 +51,8 @@ class PortWords(Struct, frozen=True):
     vocabulary: frozenset[str]
     kinds: dict[str, str]
     negations: frozenset[str]
+    audible: frozenset[str]
+    inaudible: frozenset[str]
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
@@ -60,6 +63,16 @@ def kinds_of(connection: migration.Connection) -> set[str]:
     own = connector_words(c.name for c in connection.connectors)
     kinds |= {kind for purpose, kind in known.kinds.items() if own & known.connectors[purpose][0]}
     return kinds | ({SERIAL} if is_serial(connection) else set())
+
+
+def kinds_of_part(connection: migration.Connection) -> set[str]:
+    """The kinds that a component's part names, whatever a person calls it; all its kinds if the part names none.
+
+    A "Standard servo" with the title "ping turret servo" is a servo.
+    """
+    component = connection.component
+    words = significant_words([component.partTitle, component.family]) if component is not None else set()
+    return {role for role, said in known_roles().roles.items() if words & said} or kinds_of(connection)
 
 
 def is_serial(connection: migration.Connection) -> bool:
@@ -143,6 +156,8 @@ def _known_roles(path: Path, _: int) -> PortWords:
     entries = {purpose: purposes.table(purpose) for purpose in purposes.values}
     connectors = {purpose: (frozenset(entry.texts("words")), entry.text("board")) for purpose, entry in entries.items()}
     kinds = {purpose: entry.text("kind") for purpose, entry in entries.items() if "kind" in entry.values}
+    tones = data.table("tones")
     return PortWords(
         roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds, frozenset(data.texts("negations")),
+        frozenset(tones.texts("audible")), frozenset(tones.texts("inaudible")),
     )  # fmt: skip

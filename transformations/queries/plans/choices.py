@@ -163,7 +163,8 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
             if c.pin is not None and id(c.pin) not in offered
         ]
         ranked += [(str(pin.label), 0.0, _pin_why(pin)) for pin in free_pins(plan, decision) if id(pin) not in offered]
-        ranked.append((NOT_WIRED, 0.0, "not connected: its calls do nothing"))
+        if all(label != NOT_WIRED for label, _, _ in ranked):
+            ranked.append((NOT_WIRED, 0.0, "not connected: its calls do nothing"))
     elif isinstance(decision, migration.LibraryChoice):
         ranked.append((NO_LIBRARY, 0.0, "no library needed"))
     chosen = "" if decision.open else str(decision.choice)
