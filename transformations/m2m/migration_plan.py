@@ -155,6 +155,13 @@ class Decided(Struct, frozen=True):
     views: Sequence[CodeView]
 
 
+def _same_architecture(plan: migration.MigrationPlan) -> bool:
+    """Whether the processors of the source board and of the target board have one architecture."""
+    mappings = plan.source.boardMappings if plan.source is not None else ()
+    boards = [*(mapping.board for mapping in mappings), plan.board]
+    return len({str(b.microcontroller.architecture) for b in boards if b is not None and b.microcontroller is not None}) == 1
+
+
 def put_together(
     d: Decided, check: Callable[[migration.MigrationPlan], Sequence[Finding]]
 ) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
@@ -226,7 +233,7 @@ def put_together(
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=kept_pins(plan)))
     if keeps_platform(plan):
-        change_registers(d.views, d.bindings, d.files)
+        change_registers(d.views, d.bindings, d.files, _same_architecture(plan))
         explicit_enumerators(plan, d.files)
     settle_libraries(plan)
     close_idle_choices(plan)
