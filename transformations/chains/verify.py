@@ -384,9 +384,9 @@ def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs
     assert plan.program is not None
     assert plan.source is not None
     if (board := source_board_of(plan)) is not None:
-        files = {path.removeprefix(STORED_FILES): text for path, text in _sources(models).items()}
+        texts = {path.removeprefix(STORED_FILES): text for path, text in _sources(models).items()}
         main = str(plan.program.units[0].path).removeprefix(STORED_FILES)
-        return engine_original(files, main, str(plan.source.name), board, place)
+        return engine_original(texts, main, str(plan.source.name), board, place)
     stored = place / "stored"
     files = written_sources(list(plan.program.units), _sources(models), stored)
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]

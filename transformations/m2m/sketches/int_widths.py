@@ -34,8 +34,8 @@ def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
     here, there = sketch.move.source, sketch.move.target
     if here.int_bits >= there.int_bits:
         return None
-    machines = (Machine(each.int_bits, 32, each.int_bits, each.char_signed) for each in (here, there))
-    return WrappedValues(sketch.views, *machines, returned_values(sketch.views[0].api.name))
+    own, other = (Machine(each.int_bits, 32, each.int_bits, each.char_signed) for each in (here, there))
+    return WrappedValues(sketch.views, own, other, returned_values(sketch.views[0].api.name))
 
 
 def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit]:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.avr_bits import Tick, avr_bits
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.register_idioms import without
@@ -31,7 +32,7 @@ def timer_ticks(sketch: MovedSketch) -> Iterator[SketchEdit]:
     """The edits of timers that tick."""
     if not sketch.facts.tick or not sketch.clock_hz:
         return
-    found = []
+    found: list[SketchEdit] = []
     for view in sketch.views:
         for handler in view.of_kind(ccode.Function):
             tick = avr_bits().ticks.get(str(handler.name))
@@ -51,7 +52,7 @@ def _of_timer(sketch: MovedSketch, view: CodeView, handler: ccode.Function, tick
     use = next((each for each in view.unit.macroUses if int(each.startOffset) == int(handler.startOffset)), None)
     if len(writes) != len(uses) or not writes or use is None or len({id(seen) for _, seen in writes}) != 1:
         return
-    statements = [each.eContainer() for each, _ in writes]
+    statements = [outer for each, _ in writes if isinstance(outer := each.eContainer(), ccode.Assignment)]
     of = writes[0][1]
     us = _period_us(statements, names, tick, of, sketch.clock_hz)
     if us is None or len({id(_function(each)) for each in statements}) != 1:
@@ -78,8 +79,8 @@ def _is_plain_write(reference: ccode.NameReference) -> bool:
     return isinstance(block, ccode.Block) and isinstance(block.eContainer(), ccode.Function)
 
 
-def _function(each: ccode.Assignment) -> ccode.Function:
-    return each.eContainer().eContainer().eContainer()  # type: ignore[no-any-return,union-attr]
+def _function(each: ccode.Assignment) -> ccode.Function | None:
+    return ancestor_of_kind(each, ccode.Function)
 
 
 def _period_us(

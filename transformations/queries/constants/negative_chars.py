@@ -21,7 +21,8 @@ def negative_chars(views: Sequence[CodeView], results: Mapping[str, tuple[int, i
     """
     found: dict[int, ccode.Declaration] = {}
     for view in views:
-        for holder in (*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter)):
+        holders: list[ccode.Variable | ccode.Parameter] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter)]
+        for holder in holders:
             if not _is_char(holder.valueType):
                 continue
             if any(_negative(each, results) for each in _given(holder)) or any(map(_asks_for_sign, holder.references)):

@@ -73,7 +73,9 @@ class WrappedValues:
     @cached_property
     def _holders(self) -> list[Holder]:
         """The variables and parameters of the type int, signed or not, arrays of it included."""
-        every = (e for view in self.views for kind in (ccode.Variable, ccode.Parameter) for e in view.of_kind(kind))
+        every: list[Holder] = []
+        for view in self.views:
+            every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter)]
         return [each for each in every if self.is_int(each.valueType)]
 
     def is_int(self, use: ccode.TypeUse | None) -> bool:

@@ -67,7 +67,7 @@ def port_statements(views: Sequence[CodeView]) -> list[PortStatement]:
     pins = views[0].api.board.ports if views and views[0].api.board is not None else {}
     if not pins:
         return []
-    read = [found for view in views for reference in view.of_kind(ccode.NameReference) if (found := _understood(view, reference))]
+    read = [told for view in views for reference in view.of_kind(ccode.NameReference) if (told := _understood(view, reference))]
     outputs = {(port, bit) for _, _, register, port, masks in read if register == "DDR" for bit in _bits(masks.get(OUTPUT, 0))}
     known = {
         (port, bit)
@@ -76,7 +76,7 @@ def port_statements(views: Sequence[CodeView]) -> list[PortStatement]:
         if not (element.operator == "=" and what in (INPUT, LOW, VALUE))
         for bit in _bits(mask)
     }
-    found = []
+    found: list[PortStatement] = []
     for view, element, register, port, masks in read:
         steps = []
         for what, mask in masks.items():
@@ -225,8 +225,9 @@ def _constants(views: Sequence[CodeView], register: str) -> list[tuple[CodeView,
             if reference.name != register:
                 continue
             outer = reference.eContainer()
-            plain = isinstance(outer, ccode.Assignment) and outer.left is reference and outer.operator in ("=", "|=")
-            value = register_value(outer.right, view.values) if plain and _is_statement(outer) else None
+            if not isinstance(outer, ccode.Assignment) or outer.left is not reference or outer.operator not in ("=", "|="):
+                return None
+            value = register_value(outer.right, view.values) if _is_statement(outer) else None
             if value is None:
                 return None
             found.append((view, outer, value))
@@ -278,11 +279,11 @@ def _prepares(reference: ccode.NameReference, view: CodeView) -> ccode.Located |
     if isinstance(outer, ccode.Assignment) and outer.left is reference:
         return outer if _is_statement(outer) and register_value(outer.right, view.values) is not None else None
     loop = ancestor_of_kind(reference, ccode.While)
-    inside = loop is not None and any(each is reference for each in all_contents(loop.condition) if loop.condition is not None)
-    empty = loop is not None and (
-        isinstance(loop.body, ccode.EmptyStatement) or (isinstance(loop.body, ccode.Block) and not loop.body.statements)
-    )
-    return loop if inside and empty else None
+    if loop is None or loop.condition is None or not any(each is reference for each in all_contents(loop.condition)):
+        return None
+    body = loop.body
+    empty = isinstance(body, ccode.EmptyStatement) or (isinstance(body, ccode.Block) and not body.statements)
+    return loop if empty else None
 
 
 def idiom_statements(views: Sequence[CodeView]) -> list[PortStatement]:
