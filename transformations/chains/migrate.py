@@ -73,8 +73,8 @@ from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.record_members import outside_members
 
 GIVEN = (
-    "files", "project", "hardware", "target_name", "source_platform", "from_board", "include_dirs", "defines", "libraries",
-    "bind", "history", "adapters", "widths",
+    "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
+    "adapters", "widths",
 )  # fmt: skip
 """The values that a migration gets from outside; `migration_chain` says what each is used for."""
 
@@ -85,7 +85,7 @@ def migration_chain() -> Chain:
     A step can be replaced by its name (`Chain.replace`) with a function of whatever values it needs that returns the same.
     """
     chain = Chain(None, "migrate")
-    chain.given(*GIVEN, ranker_name=None, bench=False, stored=None)
+    chain.given(*GIVEN, from_board=None, ranker_name=None, bench=False, stored=None)
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(target, makes="target", step="look up the target")
     chain.call(source_board, makes="source_board", step="look up the source board")

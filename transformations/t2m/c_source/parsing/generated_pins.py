@@ -61,7 +61,8 @@ class PinNames(Struct, frozen=True):
         constants: constant of the hardware -> how the program writes its pin.
         literals: how the program writes a pin that has no constant -> how often the plan puts it into the text.
         unbound: the number that is no pin of any target.
-        named: constants of the platform that are pins; each place of one has to be by the plan, too.
+        named: constants of the platform that are pins, in a program whose platform stays: each place of one has to be by the
+            plan, too, and a number that is looked up may be that of a pin of either board.
     """
 
     functions: Mapping[str, Sequence[PinPlace]]
@@ -140,7 +141,7 @@ class _Flows(GeneratedValues):
             if sink.place.none and self.text(sink.argument) in sink.place.none:
                 continue
             for leaf in sorted(self._leaves(sink.argument), key=lambda each: (each.place, each.what)):
-                if leaf.text and sink.place.looked_up:
+                if leaf.text and sink.place.looked_up and self.names.named:
                     continue
                 if leaf.text:
                     raw.setdefault(leaf.text, set()).add(leaf.place)
