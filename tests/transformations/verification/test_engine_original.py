@@ -20,7 +20,7 @@ from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
 from tests.tools import require_engine, require_tools
 
 SKETCHES = Path(__file__).parent / "originals"
-PRESSED = Scenario("pressed", 400.0, {"D2": {"points": [[0, 1], [200, 0]]}})
+PRESSED = Scenario("pressed", 400.0, {"D2": {"points": ((0, 1), (200, 0))}})
 
 
 def ports(target: str) -> list[BoundPort]:
@@ -40,7 +40,7 @@ def test_an_original_tells_the_lines_and_the_ways_of_its_jumps_that_a_run_takes(
     if phase.tracer != "avr8js":
         pytest.skip("no quick simulator records instructions")
     low = run_source(phase, ports("D"), Scenario("low", 60.0))
-    high = run_source(phase, ports("D"), Scenario("high", 60.0, {"D2": {"points": [[0, 1]]}}))
+    high = run_source(phase, ports("D"), Scenario("high", 60.0, {"D2": {"points": ((0, 1),)}}))
     assert low.status == high.status == "running"
     lines = {name: {line for (_, line), count in phase.coverage([run.counts]).lines.items() if count} for name, run in
              (("low", low), ("high", high))}  # fmt: skip

@@ -16,7 +16,7 @@ _OF_CHANGE = re.compile(r"PCINT(\d{1,2})")
 _BINARY = re.compile(r"B([01]{1,8})")
 
 
-class Tick(Struct, frozen=True):
+class TickingTimer(Struct, frozen=True):
     """A timer that starts again at a compare register and then calls an interrupt function.
 
     Attributes:
@@ -65,7 +65,7 @@ class AvrBits(Struct, frozen=True):
     """The facts of the file."""
 
     bits: Mapping[str, int]
-    ticks: Mapping[str, Tick]
+    ticks: Mapping[str, TickingTimer]
     watchdog: Mapping[str, int]
     pin_changes: Mapping[str, PinChanges]
     converter: Converter

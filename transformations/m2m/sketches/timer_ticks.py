@@ -12,13 +12,12 @@ from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.knowledge.platforms.avr_bits import Tick, avr_bits
+from robosmi.transformations.knowledge.platforms.avr_bits import TickingTimer, avr_bits
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.register_idioms import without
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.constants.register_values import register_value
-from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.ports.register_values import register_value
 
 _RULE = "timer-tick"
 _REGISTERS, _VECTOR = "timer_register", "isr_vector"
@@ -39,13 +38,13 @@ def timer_ticks(sketch: MovedSketch) -> Iterator[SketchEdit]:
             if tick is not None and handler.body is not None:
                 found += _of_timer(sketch, view, handler, tick)
     yield from found
-    first = {id(unit_of(edit.element)): edit.element for edit in reversed(found)}
+    first = {id(ancestor_of_kind(e.element, ccode.SourceUnit)): e.element for e in reversed(found)}
     for element in first.values():
         header = inserted(0, f"#include <{sketch.facts.tick_header}>\n")
         yield SketchEdit(element, _RULE, "the header declares the target's timers", (header,))
 
 
-def _of_timer(sketch: MovedSketch, view: CodeView, handler: ccode.Function, tick: Tick) -> Iterator[SketchEdit]:
+def _of_timer(sketch: MovedSketch, view: CodeView, handler: ccode.Function, tick: TickingTimer) -> Iterator[SketchEdit]:
     names = {name: role for role, name in tick.registers.items()}
     uses = [(each, seen) for seen in sketch.views for each in seen.of_kind(ccode.NameReference) if each.name in names]
     writes = [(each, seen) for each, seen in uses if _is_plain_write(each)]
@@ -84,7 +83,7 @@ def _function(each: ccode.Assignment) -> ccode.Function | None:
 
 
 def _period_us(
-    statements: Sequence[ccode.Assignment], names: dict[str, str], tick: Tick, view: CodeView, clock_hz: int
+    statements: Sequence[ccode.Assignment], names: dict[str, str], tick: TickingTimer, view: CodeView, clock_hz: int
 ) -> int | None:
     """The period in microseconds; None if the registers are set for anything else, or to what is not constant."""
     found: dict[str, int] = {"control_a": 0, "control_b": 0, "enable": 0}

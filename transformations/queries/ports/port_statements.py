@@ -16,9 +16,9 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.avr_bits import avr_bits
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.constants.register_values import register_value
 from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.flows.pin_uses import PinUse
+from robosmi.transformations.queries.ports.register_values import register_value
 
 HIGH, LOW, TOGGLE, VALUE, OUTPUT, INPUT, READ, PULL_UP = "high", "low", "toggle", "value", "output", "input", "read", "pull-up"
 CHANGE, CONVERT = "change", "convert"
