@@ -109,6 +109,10 @@ class EngineCrashError(VerificationError):
     """A simulator itself ended without telling what the program did (exit code 6): another one may do it."""
 
 
+class TimeLimitError(VerificationError):
+    """A run was given up at its time limit (exit code 6)."""
+
+
 class InternalError(RobosmiError):
     """Our own bug (exit code 70)."""
 

@@ -9,13 +9,12 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
-from msgspec import Struct
 from msgspec.structs import replace
 
+from robosmi.verify.original import LibraryCall, OriginalRun
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_run import OriginalRun, run_original
+from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse
 from robosmi.verify.toolchains.tools import run
 
@@ -23,31 +22,6 @@ _MOST_PLACES = 5000
 """So many places of calls no program of the platform has."""
 _CALL_BYTES = 1
 """A return address minus this many bytes lies within the call instruction."""
-
-
-class LibraryCall(Struct, frozen=True):
-    """A call that the program makes.
-
-    Attributes:
-        at_us: when, in microseconds of virtual time.
-        function: what it calls, as the program names it.
-        file, line: from where.
-        prints: whether it writes on the console.
-    """
-
-    at_us: float
-    function: str
-    file: str
-    line: int
-    prints: bool = False
-
-    def __str__(self) -> str:
-        return f"{self.function} ({Path(self.file).name}:{self.line})"
-
-    def to_json(self) -> dict[str, Any]:
-        """The contract's form."""
-        place = {"file": Path(self.file).name, "line": self.line}
-        return {"function": self.function, **place, "at_ms": round(self.at_us / 1000, 3)}
 
 
 def library_calls(

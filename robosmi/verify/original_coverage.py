@@ -7,64 +7,20 @@ coverage tool which lines and branches the counters stand for.
 from __future__ import annotations
 
 import struct
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
-
-from msgspec import Struct
 
 from robosmi.base.data_text import as_table, json_of
 from robosmi.errors import InternalError, MissingToolError
 from robosmi.verify.coverage_files import counters_file, read_notes
 from robosmi.verify.joined_objects import Counters
+from robosmi.verify.original import SourceCoverage
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.tools import run
 
 _COUNTER_BYTES = 8
-
-
-class SourceCoverage(Struct, frozen=True):
-    """How often runs have reached each line and branch.
-
-    Attributes:
-        lines: (file, line) -> count, for each line with code.
-        branches: (file, line, number of the branch on that line from 0) -> count, for each way out of a decision.
-        functions: (file, line) -> name of the function that the line is in.
-    """
-
-    lines: Mapping[tuple[str, int], int]
-    branches: Mapping[tuple[str, int, int], int]
-    functions: Mapping[tuple[str, int], str] = {}
-
-    def without(self, functions: Collection[tuple[str, str]]) -> SourceCoverage:
-        """The coverage without the lines of some functions: name of the file without its folder, name of the function."""
-        dead = {place for place, name in self.functions.items() if (Path(place[0]).name, name) in functions}
-        return SourceCoverage(
-            {place: count for place, count in self.lines.items() if place not in dead},
-            {place: count for place, count in self.branches.items() if place[:2] not in dead},
-            {place: name for place, name in self.functions.items() if place not in dead},
-        )
-
-    @property
-    def line_percent(self) -> float:
-        """The percentage of lines with code that were reached; 100 if there are none."""
-        return _percent(self.lines.values())
-
-    @property
-    def branch_percent(self) -> float:
-        """The percentage of branches taken at least once; 100 if there are none."""
-        return _percent(self.branches.values())
-
-    @property
-    def missed_branches(self) -> list[tuple[str, int, int]]:
-        """The branches that no run has taken: file, line, number on that line."""
-        return sorted(place for place, count in self.branches.items() if not count)
-
-
-def _percent(counts: Iterable[int]) -> float:
-    known = list(counts)
-    return 100.0 * sum(count > 0 for count in known) / len(known) if known else 100.0
 
 
 def reached(program: OriginalProgram, counts: bytes) -> frozenset[int]:

@@ -19,21 +19,20 @@ import signal
 import struct
 import subprocess
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from time import monotonic
 from typing import TypeVar
 
-from msgspec import Struct
-
 from robosmi import inputs
 from robosmi.base.data_text import as_list, as_whole
 from robosmi.errors import UsageError
 from robosmi.verify.bench import ADDRESSES, AIMS, WRITTEN, Bench, Level, device_class
+from robosmi.verify.original import OriginalRun, Variation
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.sandbox import refusal
-from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinChange, PinTrace, Wave
+from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinChange, Wave
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.processor_time import HANGS
 
@@ -55,57 +54,6 @@ _PATIENCE_MS = 1000
 """Milliseconds after which a process that sends nothing is looked at, whether it sleeps."""
 _STATUSES = ("running", "finished", "unmodelled", "crashed", "recursion", "output limit")
 """What a process reports of its end."""
-
-
-class Variation(Struct, frozen=True):
-    """How a run differs from the nominal one.
-
-    Attributes:
-        seed: of the noise, and of the program's random numbers.
-        block_factor: cost of the program's own steps relative to the nominal cost, which makes a polling loop faster or slower.
-        call_factor: the same for calls of library functions.
-        noise: relative random variation of each cost: 0.1 is up to 10 % in either direction.
-        late_us: the most microseconds by which a waiting call ends late.
-        early_part: the fraction of its time by which a waiting call ends early, as with a fast clock.
-        line_part: the fraction by which the console's line is faster, so that a program that prints all the time iterates more
-            often; negative for slower.
-        clock_us: the microseconds by which clocks that count seconds are ahead, so that a polling program sees a second begin
-            in another iteration.
-    """
-
-    seed: int = 0
-    block_factor: float = 1.0
-    call_factor: float = 1.0
-    noise: float = 0.0
-    late_us: float = 0.0
-    early_part: float = 0.0
-    line_part: float = 0.0
-    clock_us: float = 0.0
-
-
-class OriginalRun(Struct, frozen=True):
-    """The result of a run of the original.
-
-    Attributes:
-        trace: the observations until the run ended; pins are the platform's, times count from the first statement of main.
-        status: `running` if the horizon was reached, `finished` if main and all other cores ended, `unmodelled` if a function
-            without a model was called, `crashed`, `recursion` if calls exhausted the stack, `output limit`, or `time limit`.
-        cause: the function without a model, or the reason of a crash; empty otherwise.
-        counts: the program's static data with its coverage counters; empty if the run was ended from outside.
-        calls: if requested, the library calls: (microseconds, return address in the program, address in the called function,
-            whether it prints). The last one of a crashed run is where it crashed.
-        mixed_text_us: times at which cores print so close together that the order of their texts is random.
-        compared: place of a comparison in the program -> the least and the most by which one side was greater than the other.
-            The places mean the same in each run of one program.
-    """
-
-    trace: PinTrace
-    status: str
-    cause: str
-    counts: bytes
-    calls: tuple[tuple[float, int, int, bool], ...] = ()
-    mixed_text_us: tuple[float, ...] = ()
-    compared: Mapping[int, tuple[float, float]] = {}
 
 
 def run_original(

@@ -22,7 +22,7 @@ from msgspec import Struct
 from msgspec.structs import asdict, replace
 
 from robosmi.base.data_text import Json, as_table, json_of, json_written
-from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
+from robosmi.errors import EngineCrashError, InternalError, MissingToolError, TimeLimitError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.processor_time import HANGS
@@ -134,6 +134,8 @@ class PinTrace(Struct, frozen=True, dict=True):
         console: the bytes it sent, in order of time.
         device_events: the devices' observations, in order of time.
         reached: the byte addresses of the instructions that ran, if requested and supported by the engine.
+        jumped: those of them after which another one than the next word ran, by a jump, a call or a skip.
+        passed: those after which the next word ran.
         stack_bytes: the greatest stack depth in bytes, if requested and supported by the engine.
         console_baud: the last baud rate of the console; 0 if unknown.
         rests_until_us: the horizon if the program stopped itself, since its pins stay as they are until then; else 0.
@@ -155,6 +157,8 @@ class PinTrace(Struct, frozen=True, dict=True):
     rests_until_us: float = 0.0
     stored: tuple[StoredByte, ...] = ()
     store_bytes: int = 0
+    jumped: tuple[int, ...] = ()
+    passed: tuple[int, ...] = ()
 
     @property
     def known_us(self) -> float:
@@ -210,9 +214,11 @@ class Engine(Protocol):
 
     Attributes:
         name: how it is asked for.
+        steps_cost: how many times longer a run takes if it records which instructions run; 0 if it cannot.
     """
 
     name: str
+    steps_cost: float
 
     def missing(self) -> str | None:
         """The instruction for installing what the engine needs; None if it can run."""
@@ -282,7 +288,8 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     Raises:
         UsageError: no engine has that name, none knows the microcontroller, or a device is used wrongly.
         MissingToolError: the engine is not installed.
-        VerificationError: the time limit is over, or the program cannot be loaded.
+        TimeLimitError: the time limit is over.
+        VerificationError: the program cannot be loaded.
         EngineCrashError: the engine crashed.
     """
     chosen = engine_for(job.mcu, engine)
@@ -308,9 +315,9 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     return _trace(as_table(json_of(answer)), chosen.name)
 
 
-def too_long(limit_s: float, what: str = " of processor time") -> VerificationError:
+def too_long(limit_s: float, what: str = " of processor time") -> TimeLimitError:
     """The error that ends a run at its time limit."""
-    return VerificationError(f"the simulation exceeded {limit_s:g} s{what}", fix="simulate less time, or raise the limit")
+    return TimeLimitError(f"the simulation exceeded {limit_s:g} s{what}", fix="simulate less time, or raise the limit")
 
 
 def _environment() -> dict[str, str]:
@@ -343,6 +350,8 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             answer["rests_until_us"],
             tuple(StoredByte(*each) for each in answer["stored"]),
             answer["store_bytes"],
+            tuple(answer["jumped"]),
+            tuple(answer["passed"]),
         )  # fmt: skip
     except (KeyError, TypeError, ValueError) as error:
         raise InternalError(f"the engine '{engine}' returned no valid trace: {error}") from error

@@ -45,6 +45,8 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         "rests_until_us": trace.rests_until_us,
         "stored": trace.stored,
         "store_bytes": trace.store_bytes,
+        "jumped": trace.jumped,
+        "passed": trace.passed,
     }
 
 

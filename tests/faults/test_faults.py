@@ -12,7 +12,7 @@ import robosmi
 from robosmi.transformations.chains.verify import Verified
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
-from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.original import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinChange, PinTrace
 from robosmi.verify.traces.verdict import Verdict

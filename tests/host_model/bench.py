@@ -9,8 +9,10 @@ from pathlib import Path
 
 from robosmi.verify import original_build
 from robosmi.verify.host_model import HostModel, load_host_model
+from robosmi.verify.host_original import HostOriginal
+from robosmi.verify.original import OriginalRun, Variation
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_run import OriginalRun, Variation, run_original
+from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
 
 ROOT = Path(__file__).parents[2]
@@ -30,6 +32,13 @@ def built(text: str) -> Iterator[OriginalProgram]:
         folder = Path(place) / "built"
         folder.mkdir()
         yield original_build.build_original([source], model(), folder)
+
+
+@contextmanager
+def original(text: str) -> Iterator[HostOriginal]:
+    """A program as the side of a verification that runs on this machine."""
+    with built(text) as program:
+        yield HostOriginal(program)
 
 
 def run(

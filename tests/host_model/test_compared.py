@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.original_run import OriginalRun, run_original
+from robosmi.verify.original import OriginalRun
+from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse
 from tests.host_model.bench import built, run
 

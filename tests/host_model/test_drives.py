@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.original import OriginalRun
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import run, said
 from tests.tools import require_tools

@@ -13,7 +13,8 @@ from robosmi.errors import SourceError, VerificationError
 from robosmi.inputs import DATA, read_bytes
 from robosmi.transformations.verification.originals import original_program
 from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_run import OriginalRun, run_original
+from robosmi.verify.original import OriginalRun
+from robosmi.verify.original_run import run_original
 from tests.tiers import sample
 from tests.tools import require_verification
 

@@ -14,10 +14,11 @@ import pytest
 
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.verify import original_run
+from robosmi.verify.original import Variation
 from robosmi.verify.original_build import build_original
 from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage, reached
-from robosmi.verify.original_run import Variation, run_original
+from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse
 from tests.host_model.bench import built, model, run, said
 from tests.tools import require_tools

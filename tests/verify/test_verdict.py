@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.verify.missed_lines import line_ranges
-from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import ChannelComparison, FirstDifference
 from robosmi.verify.traces.verdict import CallsAround, ScenarioVerdict, Verdict

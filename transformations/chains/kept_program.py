@@ -65,5 +65,7 @@ def kept_program(
     own, trace = source_board.facts.model.platform, Trace()
     different = facts.move_to(move.target.chip, move.target.architecture)
     mappings = list(own.boardMappings) if own is not None else []
-    dependence, left = keep_platform(MovedSketch(program.views, program.copies, move, places, mappings, different), trace)
+    clock_hz = int(source_board.facts.board_model.clockHertz)
+    sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz)
+    dependence, left = keep_platform(sketch, trace)
     return KeptProgram(move, (dependence, trace), left)

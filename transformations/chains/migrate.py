@@ -327,6 +327,7 @@ def models(
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
         *judgement, widenings, widths != KEEP, ports, bindings, *library_decisions, files, findings, places,
+        program.views,
     )  # fmt: skip
     plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
     plan.bench = bench

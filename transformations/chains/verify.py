@@ -20,7 +20,7 @@ from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
 from robosmi.inputs import SOURCE, read_once, read_text
-from robosmi.metamodels import platform
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.generate import generate as generate_again
 from robosmi.transformations.chains.simulate import adjacent_plan
 from robosmi.transformations.chains.stages.edited_plan import STORED
@@ -28,6 +28,7 @@ from robosmi.transformations.chains.stages.models import MigrationModels, stored
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.m2t.kept_text import STORED as STORED_FILES
 from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
@@ -42,6 +43,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import (
     resting_pins,
     texts_understood,
 )
+from robosmi.transformations.verification.engine_original import engine_original, source_board_of
 from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, ComparedScenario, compare_scenarios
@@ -58,11 +60,12 @@ from robosmi.transformations.verification.original_side import (
 from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
-from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, is_comparable, most_stored
+from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, most_stored
 from robosmi.transformations.verification.stubs import Stubs, stubs_of, with_stubs, written_in
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.host_original import HostOriginal
+from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
@@ -224,7 +227,7 @@ def _compared(
         if report.elf is None:
             verdict.reasons.append(_too_big(report))
             return Verified(verdict, report)
-        side = TargetSide(_board(models, report), report, ports, engine, whole=vcd is not None)
+        side = TargetSide(_board(models, report), report, ports, engine, vcd is not None, _source_mv(plan))
         verdict.engine = side.engine
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
@@ -240,15 +243,16 @@ def _compared(
             where = f" ({Path(at.path).name}:{at.line})" if at is not None and at.line else ""
             verdict.reasons.append(f"the original cannot be run here: {error.message}{where}")
             return Verified(verdict, report)
-        verdict.original = f"{program.model.title}, {program.compiler}"
+        verdict.original = f"{program.title}, {program.compiler}"
         verdict.stubbed = [*program.stubbed, *stubs.headers, *stubs.symbols]
         targets = {str(use.name): str(use.targetName or use.name) for use in plan.adapterUses}
         if own := written_in(_sketch_files(output), {targets[name] for name in program.stubbed}):
             stubbed = _compiled_with_stubs(output, folder / "stubbed", own)
-            side = TargetSide(_board(models, stubbed), stubbed, ports, engine, whole=vcd is not None)
+            side = TargetSide(_board(models, stubbed), stubbed, ports, engine, vcd is not None, _source_mv(plan))
         called = {str(use.name) for use in plan.adapterUses}
-        program = replace(program, store_bytes=side.store_bytes if is_comparable(program.model, ports) else 0)
-        verdict.functions |= {EEPROM_CHANNEL: tuple(sorted(called & program.model.stores))}
+        if program.is_store_comparable({port.source for port in ports}):
+            program = program.with_store_bytes(side.store_bytes)
+        verdict.functions |= {EEPROM_CHANNEL: tuple(sorted(called & program.stores))}
         cases, made = _cases(program, ports, models, given, plan_file.parent / FOLDER, seed, verdict, limits)
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
@@ -341,6 +345,12 @@ def _board(models: MigrationModels, report: CompileReport) -> platform.Board:
     return stored if stored is not None and stored.name == report.board else load_board(report.board)
 
 
+def _source_mv(plan: migration.MigrationPlan) -> float:
+    """The supply of the source board, if the plan has one, whose parts are fed by it; else 0."""
+    board = source_board_of(plan)
+    return board.volts * 1000 if board is not None else 0.0
+
+
 def _sketch_files(output: Path) -> list[Path]:
     """The files of the migrated program as it is now."""
     sketch, _ = find_sketch(output)
@@ -369,16 +379,20 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
     return report
 
 
-def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs: Stubs | None = None) -> OriginalProgram:
+def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs: Stubs | None = None) -> Original:
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
+    if (board := source_board_of(plan)) is not None:
+        texts = {path.removeprefix(STORED_FILES): text for path, text in _sources(models).items()}
+        main = str(plan.program.units[0].path).removeprefix(STORED_FILES)
+        return engine_original(texts, main, str(plan.source.name), board, place)
     stored = place / "stored"
     files = written_sources(list(plan.program.units), _sources(models), stored)
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
     with acting(host=True):
         model = load_host_model(str(plan.source.name))
-        return original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted, stubs=stubs)
+        return HostOriginal(original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted, stubs=stubs))
 
 
 def _sources(models: MigrationModels) -> dict[str, bytes]:
@@ -394,7 +408,7 @@ class _Made(Struct):
 
 
 def _cases(
-    program: OriginalProgram, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
+    program: Original, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
     seed: int | None, verdict: Verdict, limits: _Limits,
 ) -> tuple[list[Case], _Made]:  # fmt: skip
     """The scenarios with their runs of the source: only the given ones, or else the stored and generated ones."""
@@ -437,7 +451,7 @@ def _cases(
 
 
 def _started_again(
-    program: OriginalProgram, ports: list[BoundPort], kept: Sequence[ComparedScenario], side: TargetSide, one_thread: bool,
+    program: Original, ports: list[BoundPort], kept: Sequence[ComparedScenario], side: TargetSide, one_thread: bool,
     at_rest: Mapping[str, int],
 ) -> list[ComparedScenario]:  # fmt: skip
     """The scenario in which the source stores most, once more with what it has stored, if nothing differs yet."""

@@ -26,6 +26,7 @@ from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten, settle_lists
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
+from robosmi.transformations.m2m.ports.port_registers import change_registers
 from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, port_changes
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
@@ -131,6 +132,7 @@ class Decided(Struct, frozen=True):
         files: path relative to the models' folder -> bytes of the input.
         findings: the findings of readers and mappings.
         paths: path as the user gave it -> path in `files`.
+        views: a view of each unit.
     """
 
     name: str
@@ -150,6 +152,14 @@ class Decided(Struct, frozen=True):
     files: Mapping[str, bytes]
     findings: Sequence[Finding]
     paths: Mapping[str, str]
+    views: Sequence[CodeView]
+
+
+def _same_architecture(plan: migration.MigrationPlan) -> bool:
+    """Whether the processors of the source board and of the target board have one architecture."""
+    mappings = plan.source.boardMappings if plan.source is not None else ()
+    boards = [*(mapping.board for mapping in mappings), plan.board]
+    return len({str(b.microcontroller.architecture) for b in boards if b is not None and b.microcontroller is not None}) == 1
 
 
 def put_together(
@@ -223,6 +233,7 @@ def put_together(
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=kept_pins(plan)))
     if keeps_platform(plan):
+        change_registers(d.views, d.bindings, d.files, _same_architecture(plan))
         explicit_enumerators(plan, d.files)
     settle_libraries(plan)
     close_idle_choices(plan)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache
+from types import MappingProxyType
 from typing import Any
 
 from msgspec import Struct
@@ -125,6 +126,7 @@ class Numbers:
         functions: the types of functions that the program does not define, by name.
         symbols: name that the program does not declare -> its type on the machine.
         macros: name of an object-like macro of the program -> its text.
+        aliases: type of the platform's headers -> the type of the language that it is.
     """
 
     def __init__(
@@ -133,8 +135,10 @@ class Numbers:
         functions: Mapping[str, FunctionType],
         symbols: Mapping[str, str],
         macros: Mapping[str, str],
+        aliases: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         self.machine = machine
+        self._aliases = aliases
         self.macros = macros
         self.functions = functions
         self.symbols = symbols
@@ -167,12 +171,15 @@ class Numbers:
             return None
         if isinstance(kind.declaration, ccode.Enumeration):
             return self.machine.integer
-        return self.machine.number(kind.base)
+        return self._plain(kind.base)
 
     def declared(self, use: ccode.TypeUse | None) -> Number | None:
         """The arithmetic type of a declaration, or of the elements of a declared array; None for any other."""
         kind = of_use(use)
-        return self.machine.number(kind.base) if kind is not None and (kind.array or not kind.depth) else None
+        return self._plain(kind.base) if kind is not None and (kind.array or not kind.depth) else None
+
+    def _plain(self, base: str) -> Number | None:
+        return self.machine.number(self._aliases.get(base, base))
 
     def _given(self, operand: ccode.Expression | None) -> Number | None:
         return self._known.get(id(operand)) if operand is not None else None

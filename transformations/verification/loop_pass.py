@@ -18,9 +18,7 @@ from robosmi.transformations.verification.bound_devices.varied_devices import MO
 from robosmi.transformations.verification.original_side import SETTLED, SourceRuns, channel_events
 from robosmi.transformations.verification.pause_comparison import observed_pauses
 from robosmi.transformations.verification.rest_comparison import observed_rests
-from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_calls import LibraryCall, library_calls
-from robosmi.verify.original_run import run_original
+from robosmi.verify.original import LibraryCall, Original
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.activity import READING, ActivityEvent
 from robosmi.verify.traces.alignment import numbers_of, shape_of
@@ -45,7 +43,7 @@ def longest_pass_ms(calls: Iterable[LibraryCall]) -> float:
 
 
 def runs_a_pass_apart(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float
+    program: Original, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float
 ) -> list[SourceRuns]:
     """Runs of a scenario with all inputs up to a pass later or earlier; none where no input changes.
 
@@ -60,13 +58,13 @@ def runs_a_pass_apart(
     if not any(float(at_ms) > 0 for at_ms in changes):
         return []
     devices, until_us = played(ports, scenario, target=False), scenario.horizon_ms * 1000
-    pass_ms = longest_pass_ms(library_calls(program, devices, 0, until_us, limit_s))
+    pass_ms = longest_pass_ms(program.calls(devices, 0, until_us, limit_s))
     if pass_ms <= MOVED_MS:  # the varied runs of the scenario are moved as far
         return []
     found: list[SourceRuns] = []
     for part in _PARTS:
         moved = late_devices(devices, part * pass_ms)
-        run = run_original(program, until_us, moved, limit_s=limit_s, brief=brief_pins(ports, target=False))
+        run = program.run(until_us, moved, limit_s=limit_s, brief=brief_pins(ports, target=False))
         if run.status in SETTLED:
             seen = channel_events(run.trace, ports, target=False)
             channels = {

@@ -1,4 +1,4 @@
-"""The source's side of a verification: the program in its host model, run as it is and a few times with other costs and inputs.
+"""The source's side of a verification: the original, run as it is and a few times with other costs and inputs.
 
 The differences between these runs of one scenario show how exact a comparison can be, and whether the scenario is racy.
 
@@ -27,10 +27,7 @@ from robosmi.transformations.verification.bound_devices.varied_devices import MO
 from robosmi.transformations.verification.pause_comparison import Pause, observed_pauses
 from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, stored_events
-from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_calls import with_place
-from robosmi.verify.original_coverage import coverage
-from robosmi.verify.original_run import OriginalRun, Variation, run_original
+from robosmi.verify.original import Original, OriginalRun, Variation
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 from robosmi.verify.toolchains.processor_time import used_s
@@ -256,7 +253,7 @@ def compared(
 
 
 def run_source(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0, whole: bool = False
+    program: Original, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0, whole: bool = False
 ) -> OriginalRun:
     """Run the source in a scenario as it is.
 
@@ -268,11 +265,11 @@ def run_source(
         whole: whether all changes of the pins are recorded, of those too that no channel shows.
     """
     devices, brief = played(ports, scenario, target=False), () if whole else brief_pins(ports, target=False)
-    return with_place(program, run_original(program, scenario.horizon_ms * 1000, devices, limit_s=limit_s, brief=brief))
+    return program.run(scenario.horizon_ms * 1000, devices, limit_s=limit_s, brief=brief)
 
 
 def places_reached(
-    program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort], seen: ChannelEvents | None = None
+    program: Original, run: OriginalRun, ports: Sequence[BoundPort], seen: ChannelEvents | None = None
 ) -> frozenset[Place]:
     """The lines and branches of the source that a run has reached, and the channels on which something has happened.
 
@@ -284,7 +281,7 @@ def places_reached(
     """
     if not run.counts:
         return frozenset()
-    covered = coverage(program, [run.counts])
+    covered = program.coverage([run.counts])
     reached: list[Place] = [place for place, count in (*covered.lines.items(), *covered.branches.items()) if count]
     seen = channel_events(run.trace, ports, target=False) if seen is None else seen
     reached += [("channel", name) for name, (events, *_) in seen.items() if any(event != IDLE for event in events)]
@@ -292,7 +289,7 @@ def places_reached(
 
 
 def run_varied(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0,
+    program: Original, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0,
     until_racy: bool = False, own: ChannelEvents | None = None,
 ) -> SourceRuns:  # fmt: skip
     """Add the varied runs of a scenario to its nominal run.
@@ -346,16 +343,16 @@ def is_always_full(trace: PinTrace) -> bool:
 
 
 def _run(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, devices: Sequence[DeviceUse], until: float,
+    program: Original, ports: Sequence[BoundPort], scenario: Scenario, devices: Sequence[DeviceUse], until: float,
     variation: Variation | None = None,
 ) -> OriginalRun:  # fmt: skip
     """A run of a scenario with other devices, until a processor time (see `used_s`)."""
     limit_s = max(0.0, until - used_s())
-    return run_original(program, scenario.horizon_ms * 1000, devices, variation, limit_s, brief=brief_pins(ports, target=False))
+    return program.run(scenario.horizon_ms * 1000, devices, variation, limit_s, brief_pins(ports, target=False))
 
 
 def run_further(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float = 60.0
+    program: Original, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float = 60.0
 ) -> SourceRuns:
     """Add further varied runs to those of a scenario, which show better whether the source differs from itself.
 

@@ -14,8 +14,6 @@ from itertools import pairwise
 
 from msgspec.structs import replace
 
-from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.verify.host_model import HostModel
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.activity import LINE, ActivityEvent
@@ -35,11 +33,6 @@ def stored_events(trace: PinTrace) -> list[ActivityEvent]:
         told = f"byte {byte} at address {address % trace.store_bytes}"
         found.append(ActivityEvent(at_us, LINE, (told,), vague_us=done_us - at_us))
     return found
-
-
-def is_comparable(model: HostModel, ports: Sequence[BoundPort]) -> bool:
-    """Whether all that the source writes into the memory comes from functions that store, none from the program's own bus."""
-    return model.store is not None and not any(port.source in model.store_pins for port in ports)
 
 
 def after_a_restart(scenario: Scenario, source: PinTrace) -> Scenario:

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from msgspec.structs import replace
+
 from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.jobs import job, shows_console, store_bytes
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import PinTrace, engines_for, simulate
+from robosmi.verify.simulation import DeviceUse, PinTrace, engines_for, simulate
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.processes import in_parallel
 
@@ -35,7 +37,7 @@ class TargetSide:
 
     def __init__(
         self, board: platform.Board, report: CompileReport, ports: Sequence[BoundPort], wanted: str | None = None,
-        whole: bool = False,
+        whole: bool = False, source_mv: float = 0.0,
     ) -> None:  # fmt: skip
         """Find the engines.
 
@@ -45,6 +47,8 @@ class TargetSide:
             ports: the ports.
             wanted: the engine that the user has named, or None.
             whole: whether all changes of the pins are recorded, of those too that no channel shows.
+            source_mv: the supply of the source board, if parts that show a voltage are fed by their board; 0 if they show the
+                same voltage on both.
 
         Raises:
             UsageError: no engine has that name, or none knows the board.
@@ -56,6 +60,7 @@ class TargetSide:
         self.shows_console = shows_console(mcu)
         self.store_bytes = store_bytes(mcu)
         self._report, self._ports = report, ports
+        self._part = board.volts * 1000 / source_mv if source_mv else 1.0
         self._brief = [] if whole else brief_pins(ports, target=True)
         self._names = [each.name for each in engines_for(mcu, wanted)]
         self._used: set[int] = set()
@@ -78,7 +83,7 @@ class TargetSide:
     def _run(self, scenario: Scenario) -> tuple[PinTrace | VerificationError, int]:
         """The outcome of a scenario, and the number of the engine that it is from: the first that does not crash, if any."""
         assert self._report.elf is not None
-        devices = played(self._ports, scenario, target=True)
+        devices = [_fed(use, self._part) for use in played(self._ports, scenario, target=True)]
         asked = job(self._report.elf, self._report.hex, self.board, scenario.horizon_ms * 1000, devices, self._brief)
         crash: VerificationError | None = None
         for number, name in enumerate(self._names):
@@ -90,3 +95,15 @@ class TargetSide:
                 return crash or error, number
         assert crash is not None
         return crash, 0
+
+
+def _fed(use: DeviceUse, part: float) -> DeviceUse:
+    """A device that shows a part of its board's supply, on a board with so many times the supply of the source board."""
+    if use.kind != _VOLTAGES or part == 1.0:
+        return use
+    points = [[at_ms, None if value is None else value * part] for at_ms, value in use.settings["points"]]
+    return replace(use, settings={**use.settings, "points": points})
+
+
+_VOLTAGES = "voltages"
+"""Kind of the device that shows a voltage at a pin of the converter."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -35,12 +36,27 @@ from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.toolchains.tools import find_installed
 
 _OFFERS = 3
+_CLOCK = "f_cpu"
+"""The board's value with the frequency of its processor."""
+
+
+class Changed(NamedTuple):
+    """What is changed in a build that is not for the board as it is.
+
+    Attributes:
+        clock_hz: the frequency of the processor; the board's if 0.
+        flags: further arguments for every compile.
+    """
+
+    clock_hz: int = 0
+    flags: tuple[str, ...] = ()
 
 
 @read_once()
 def compile_sketch(
-    folder_or_sketch: Path, board: str | None = None, *, keep: Path | None = None, project: Path | None = None
-) -> CompileReport:
+    folder_or_sketch: Path, board: str | None = None, *, keep: Path | None = None, project: Path | None = None,
+    changed: Changed | None = None,
+) -> CompileReport:  # fmt: skip
     """Compile and link a sketch with the real toolchain. Nothing is written into its folder.
 
     Args:
@@ -48,6 +64,7 @@ def compile_sketch(
         board: name or full name of a board; None takes the one of the sketch's project file.
         keep: an existing folder for the program (`.elf`, `.hex`); None keeps nothing.
         project: the project folder (see `robosmi.resources`); the current folder if None.
+        changed: how the program is built otherwise than for the board; as for the board if None.
 
     Raises:
         SourceError: there is no sketch, its project file cannot be used, or found data that names programs is not trusted.
@@ -59,10 +76,12 @@ def compile_sketch(
     if keep is not None and not keep.is_dir():
         raise UsageError("the folder for the program does not exist", location=Location(str(keep)), fix="create it first")
     with acting(project):
-        return _compiled(Path(folder_or_sketch), board, keep, project, started)
+        return _compiled(Path(folder_or_sketch), board, keep, project, started, changed)
 
 
-def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
+def _compiled(
+    place: Path, board: str | None, keep: Path | None, project: Path | None, started: float, changed: Changed | None = None
+) -> CompileReport:
     sketch, toolchain = find_sketch(place, project)
     boards = load_boards(toolchain.platform, project)
     if (found := _board_without_data(sketch, boards, toolchain, board)) is not None:
@@ -72,6 +91,9 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
             report = replace(report, diagnostics=(_no_data(found.board, sketch), *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
+    if changed is not None:
+        values = {**chosen.values, **({_CLOCK: str(changed.clock_hz)} if changed.clock_hz else {})}
+        chosen = chosen._replace(values=values, extra_flags=(*chosen.extra_flags, *changed.flags))
     if chosen.architecture != toolchain.architecture:
         report = _compiled_by_core(sketch, _by_its_core(chosen, toolchain), toolchain, keep, project)
         return replace(report, seconds=time.perf_counter() - started)

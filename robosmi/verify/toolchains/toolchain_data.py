@@ -46,8 +46,8 @@ class Toolchain(NamedTuple):
         gives: what its tools make possible; a text for people.
         uploader: name of the file (see `uploader`) that says how programs get on boards; empty where none does.
         tools: by key.
-        sketch, core, flags, link, size, messages, libraries, environment, database, stack, board_check: the tables of that name;
-            the last three may be empty.
+        sketch, core, flags, link, size, messages, libraries, environment, database, stack, original,
+            board_check: the tables of that name; the last four may be empty.
     """
 
     path: Path
@@ -75,6 +75,7 @@ class Toolchain(NamedTuple):
     environment: DataTable
     database: DataTable
     stack: DataTable
+    original: DataTable
     board_check: DataTable
 
     @property
@@ -143,6 +144,7 @@ def _toolchain(table: DataTable) -> Toolchain:
         environment=table.table("environment"),
         database=table.table("database") if "database" in table.values else DataTable(path, {}),
         stack=table.table("stack") if "stack" in table.values else DataTable(path, {}),
+        original=table.table("original") if "original" in table.values else DataTable(path, {}),
         board_check=table.table("board_check") if "board_check" in table.values else DataTable(path, {}),
     )
 

@@ -13,7 +13,7 @@ from msgspec import Struct, field
 
 from robosmi.base.quantities import quantity
 from robosmi.verify.missed_lines import format_ranges
-from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
 

@@ -7,7 +7,7 @@ import pytest
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.difference_calls import last_call_for
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
-from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.original import LibraryCall
 
 CALLS = [
     LibraryCall(100.0, "ee_putInt", "a.c", 3),

@@ -9,10 +9,10 @@ from robosmi.transformations.verification.judgement.scenario_verdicts import loo
 from robosmi.transformations.verification.judgement.verdict import verdict_of
 from robosmi.transformations.verification.loop_pass import longest_pass_ms, runs_a_pass_apart
 from robosmi.transformations.verification.original_side import SourceRuns, run_source, run_varied
-from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
-from tests.host_model.bench import built
+from tests.host_model.bench import original
 from tests.tools import require_tools
 
 PROGRAM = """#include "simpletools.h"
@@ -35,7 +35,7 @@ def judged(seen_at_ms: float, text: str = PROGRAM) -> str:
     """The verdict on a target that does what a program does where the input changes at another time."""
     require_tools("gcc", "gcov", "objcopy")
     asked = scenario(1000.0)
-    with built(PROGRAM) as program, built(text) as other:
+    with original(PROGRAM) as program, original(text) as other:
         runs = run_varied(program, PORTS, asked, run_source(program, PORTS, asked))
         trace: PinTrace = run_source(other, PORTS, scenario(seen_at_ms)).trace
         told = verdict_of(asked, runs, trace, PORTS, True)

@@ -13,12 +13,13 @@ from robosmi.transformations.verification.bound_devices.varied_devices import mo
 from robosmi.transformations.verification.original_side import run_source, run_varied
 from robosmi.transformations.verification.search.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
 from robosmi.transformations.verification.search.search_effort import SearchEffort
-from robosmi.verify import bench, original_run
+from robosmi.verify import bench, host_original, original_run
+from robosmi.verify.original import OriginalRun
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_run import OriginalRun, run_original
+from robosmi.verify.original_run import run_original
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import DeviceUse
-from tests.host_model.bench import built, run
+from tests.host_model.bench import original, run
 from tests.tools import require_tools
 
 BLINK = (
@@ -34,7 +35,7 @@ def _tools() -> None:
 
 
 def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.MonkeyPatch) -> None:
-    with built(BLINK) as program:
+    with original(BLINK) as program:
         assert _horizon(program, PORTS, SearchEffort(240.0)) > 3000.0
         monkeypatch.setattr(original_run, "_MOST_RECORDS", 4_000)
         assert _horizon(program, PORTS, SearchEffort(240.0)) == 3000.0
@@ -52,7 +53,9 @@ def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.Monkey
     ],
 )
 def test_scenarios_are_long_enough_for_what_waits(begin: str, loop: str, horizon: float) -> None:
-    with built(f"#include <simpletools.h>\nint main() {{\n{begin}\nwhile (1) {{\n{loop}\n}} }}".replace("; ", ";\n")) as program:
+    with original(
+        f"#include <simpletools.h>\nint main() {{\n{begin}\nwhile (1) {{\n{loop}\n}} }}".replace("; ", ";\n")
+    ) as program:
         assert _horizon(program, PORTS, SearchEffort(240.0), (*_HORIZONS_MS, _HORIZON_ALONE_MS)) == horizon
 
 
@@ -72,15 +75,16 @@ def test_each_varied_run_puts_wheels_down_somewhere_else(monkeypatch: pytest.Mon
         return run_original(program, until_us)
 
     monkeypatch.setattr(original_side, "played", lambda ports, scenario, target: [wheel])
-    monkeypatch.setattr(original_side, "run_original", noted)
-    with built(BLINK) as program:
-        run_varied(program, PORTS, Scenario("rest", 20.0), run_original(program, 20_000.0))
+    with original(BLINK) as program:
+        nominal = program.run(20_000.0)
+        monkeypatch.setattr(host_original, "run_original", noted)
+        run_varied(program, PORTS, Scenario("rest", 20.0), nominal)
     assert len(set(places)) == 5
 
 
 def test_the_search_keeps_what_tells_why_and_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(original_run, "_MOST_RECORDS", 100)
-    with built(BLINK) as program:
+    with original(BLINK) as program:
         found = search(program, PORTS, [], False, 1)
     assert [runs.given_up for _, runs in found.scenarios] == ["output limit"]
     assert (found.tried, found.racy) == (1, 0)
@@ -88,7 +92,7 @@ def test_the_search_keeps_what_tells_why_and_ends(monkeypatch: pytest.MonkeyPatc
 
 def test_varied_runs_share_their_time(monkeypatch: pytest.MonkeyPatch) -> None:
     scenario = Scenario("s", 300.0)
-    with built(BLINK) as program:
+    with original(BLINK) as program:
         nominal = run_source(program, PORTS, scenario)
         whole = run_varied(program, PORTS, scenario, nominal)
         assert (whole.given_up, len(whole.varied)) == ("", 5)

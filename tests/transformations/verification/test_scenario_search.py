@@ -23,7 +23,7 @@ from robosmi.transformations.verification.search.scenario_inputs import (
 from robosmi.transformations.verification.search.scenario_search import _horizon
 from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.verify.simulation import ConsoleByte, PinTrace
-from tests.host_model.bench import built
+from tests.host_model.bench import original
 
 LINE = ScenarioInput("RX", "points", ("a", "b"), 300.0, "serial_line")
 LAMP = ScenarioInput("LAMP", "points", (0, 1), 250.0, "levels")
@@ -127,7 +127,7 @@ def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
     ],
 )
 def test_a_program_that_goes_round_and_shows_nothing_is_looked_at_for_longer(body: str, horizon: float) -> None:
-    with built(f"#include <simpletools.h>\nint main() {{ {body} }}") as program:
+    with original(f"#include <simpletools.h>\nint main() {{ {body} }}") as program:
         assert _horizon(program, [], SearchEffort(240.0), (3_000.0, 6_000.0, 12_000.0)) == horizon
 
 

@@ -14,7 +14,7 @@ from robosmi.transformations.verification.original_side import SourceRuns, chann
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT
-from tests.host_model.bench import built
+from tests.host_model.bench import original
 from tests.tiers import sample
 from tests.tools import require_tools
 
@@ -162,7 +162,7 @@ int main() {"""
 
 def is_noticed(body: str, cases: Sequence[Case], ports: Sequence[BoundPort]) -> bool:
     """Whether scenarios tell a program from the one for which they were made."""
-    with built(f"{BEFORE}{body}}}") as program:
+    with original(f"{BEFORE}{body}}}") as program:
         for scenario, runs in cases:
             seen = channel_events(run_source(program, ports, scenario).trace, ports, target=False)
             for name, source in runs.channels.items():
@@ -195,7 +195,7 @@ def test_a_moved_border_is_noticed_by_what_the_search_finds(name: str) -> None:
     body, inputs, edits = PROGRAMS[name]
     ports = [*inputs, *LAMPS]
     numbers = [("", 0), ("1\r", 0)] if "scan" in body else []
-    with built(f"{BEFORE}{body}}}") as program:
+    with original(f"{BEFORE}{body}}}") as program:
         cases = search(program, ports, ("5\r",) if numbers else (), bool(numbers), 1, numbers=numbers).scenarios
     assert not is_noticed(body, cases, ports)
     assert all(old in body for old, _ in edits)

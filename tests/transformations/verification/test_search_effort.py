@@ -6,7 +6,7 @@ import pytest
 
 from robosmi.transformations.verification.search import search_effort
 from robosmi.transformations.verification.search.search_effort import SearchEffort
-from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.original import OriginalRun
 from robosmi.verify.simulation import PinChange, PinTrace
 
 

@@ -10,7 +10,7 @@ from robosmi.transformations.verification.search.scenario_inputs import press, s
 from robosmi.transformations.verification.search.scenario_trials import Trials
 from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.transformations.verification.search.undisturbed_search import try_undisturbed
-from tests.host_model.bench import built
+from tests.host_model.bench import original
 from tests.tools import require_tools
 
 COUNTDOWN = """#include "simpletools.h"
@@ -30,7 +30,7 @@ int main() {
 def test_what_a_button_starts_is_watched_until_it_has_waited_often() -> None:
     require_tools("gcc")
     port = BoundPort("start", "P3", "D3", device="levels", pin="pin")
-    with built(COUNTDOWN) as program:
+    with original(COUNTDOWN) as program:
         trials = Trials(program, [port], set(), SearchEffort(60.0))
         trials.horizon = 3000.0
         inputs = scenario_inputs([port], (), False)

@@ -10,7 +10,7 @@ from robosmi.transformations.verification.judgement.compared_outputs import comp
 from robosmi.transformations.verification.judgement.verdict import verdict_of, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
 from robosmi.transformations.verification.pause_comparison import PAUSES
-from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.original import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace
 from robosmi.verify.traces.comparison import ChannelComparison

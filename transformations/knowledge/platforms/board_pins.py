@@ -25,6 +25,7 @@ class BoardPins(Struct, frozen=True):
         names: every name of a pin, also its number as a text -> number.
         channels: channel of the converter -> number of its pin.
         interrupts: number of an interrupt -> number of its pin.
+        ports: name of a pin on the microcontroller (`PB5`) -> number of the pin.
     """
 
     board: str
@@ -32,6 +33,7 @@ class BoardPins(Struct, frozen=True):
     names: Mapping[str, int]
     channels: Mapping[int, int]
     interrupts: Mapping[int, int]
+    ports: Mapping[str, int] = {}
 
     @property
     def count(self) -> int:
@@ -71,4 +73,5 @@ def board_pins(mappings: Iterable[platform.BoardMapping]) -> BoardPins | None:
             for name in mapping.pinNames
             if name.pin is not None and name.interrupt >= 0 and name.pin.label in numbers
         },
+        {str(pin.port): numbers[pin.label] for pin in pins if pin.port},
     )

@@ -57,6 +57,12 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
         eeprom_bytes: size of the EEPROM of the source boards, where flash takes its place.
         console_wait_ms: how long a sketch may wait for its console, where that is USB.
         clashes: names that a program may not declare at file scope.
+        calls: function or macro of avr-libc -> the one that does the same there with the same arguments.
+        includes: header of avr-libc -> the one that takes its place there; empty if all that it has is replaced.
+        watchdog: the functions that start the watchdog, by milliseconds, and that feed it.
+        tick: the statement by which a function is called again and again from an interrupt; {function}, {us} and {timer} are
+            filled in.
+        tick_header: the header that declares what it takes.
     """
 
     same: Mapping[str, str] = {}
@@ -65,6 +71,11 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
     eeprom_bytes: int = 0
     console_wait_ms: int = 0
     clashes: tuple[str, ...] = ()
+    calls: Mapping[str, str] = {}
+    includes: Mapping[str, str] = {}
+    watchdog: tuple[str, str] | None = None
+    tick: str = ""
+    tick_header: str = ""
 
 
 class PortabilityFacts(Struct, frozen=True):

@@ -167,7 +167,18 @@ def place_findings(
 
 
 BY_CALL = "attach_interrupt_number"
-OF_PINS = frozenset({BY_CALL, "analog_pin_number", "analog_pin_as_14_to_19", "analog_pin_above_A3", "pin_13"})
+OF_PINS = frozenset(
+    {
+        BY_CALL,
+        "port_register",
+        "adc_register",
+        "other_register",
+        "analog_pin_number",
+        "analog_pin_as_14_to_19",
+        "analog_pin_above_A3",
+        "pin_13",
+    }
+)
 """Kinds of places that are numbers and names of pins: the pins of the plan cure them. The first is told by its call."""
 
 

@@ -25,6 +25,7 @@ class MovedSketch(Struct, frozen=True):
         places: the places that may behave differently there.
         board: how the platform calls the source board and its pins.
         facts: what is different on the target board.
+        clock_hz: the clock of the source board.
     """
 
     views: Sequence[CodeView]
@@ -33,6 +34,7 @@ class MovedSketch(Struct, frozen=True):
     places: Sequence[PortabilityPlace]
     board: Sequence[platform.BoardMapping] = ()
     facts: MoveFacts = MoveFacts()
+    clock_hz: int = 0
 
     def lines(self, kind: str, view: CodeView) -> frozenset[int]:
         """The lines of a unit with places of a kind."""

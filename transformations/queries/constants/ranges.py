@@ -7,7 +7,8 @@ outside (a sensor, a person, an unknown function) have no range. `numbers` tells
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
@@ -44,10 +45,16 @@ class Ranges:
         numbers: the types of the program's expressions on its own machine.
         values: the values of the program's macros.
         program: the program.
+        results: name of a function that the program does not define -> the least and the greatest value that it returns.
+        wrapping: variables that take all values of their type, by `id`.
     """
 
-    def __init__(self, numbers: Numbers, values: Values, program: ccode.Program) -> None:
+    def __init__(
+        self, numbers: Numbers, values: Values, program: ccode.Program,
+        results: Mapping[str, tuple[int, int]] = MappingProxyType({}), wrapping: Collection[int] = (),
+    ) -> None:  # fmt: skip
         self.numbers = numbers
+        self._results, self._wrapping = results, wrapping
         declared = Counter(d.name for u in program.units for d in u.declarations)
         self._shared = {n for n, count in declared.items() if count > 1} | {e.name for e in program.externals}
         self.values = values
@@ -143,6 +150,8 @@ class Ranges:
         number = self.numbers.declared(use)
         if number is None or number.real:
             return None
+        if id(variable) in self._wrapping:
+            return Range(number.least, number.most)
         found: list[Range | None] = []
         if isinstance(variable, ccode.Parameter):
             arguments, function = passed_arguments(variable), variable.eContainer()
@@ -165,6 +174,23 @@ class Ranges:
             if found and found[-1] is None:
                 return None
         return _union(found)
+
+    def _call(self, call: ccode.Call) -> Range | None:
+        """What a function of the platform returns, or one that limits or scales its first argument."""
+        name, arguments = str(call.calleeName), list(call.arguments)
+        if call.callee is not None and call.callee.definition:
+            return None
+        if name == "constrain" and len(arguments) == 3:
+            return _union([self.of(each) for each in arguments[1:]])
+        if name == "map" and len(arguments) == 5:
+            value, *ends = (self.of(each) for each in arguments)
+            start, shown = _union(ends[:2]), _union(ends[2:])
+            return shown if value is not None and start is not None and value.within(start.low, start.high) else None
+        if name == "random" and arguments and (end := self.of(arguments[-1])) is not None:
+            start = self.of(arguments[0]) if len(arguments) > 1 else Range(0, 0)
+            return Range(start.low, max(start.low, end.high - 1)) if start is not None else None
+        found = self._results.get(name)
+        return Range(*found) if found is not None else None
 
     def _assigned(self, assignment: ccode.Assignment) -> Range | None:
         return self.of(assignment.right) if assignment.operator == "=" else None
@@ -196,29 +222,35 @@ class Ranges:
         return Range(bound.low, bound.high + past) if up else Range(bound.low - past, bound.high)
 
     def _index(self, index: ccode.Index) -> Range | None:
-        """The range of all elements of an array that is initialised with known values and never written."""
+        """The range of all elements of an array that is given known values alone."""
         array = index.array
         target = array.target if isinstance(array, ccode.NameReference) else None
-        if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
+        if not isinstance(target, ccode.Variable) or target.valueType is None or not target.valueType.arrayDims:
             return None
-        key = id(target.initializer)  # one range for all elements
+        if target.initializer is not None and not isinstance(target.initializer, ccode.InitializerList):
+            return None
+        key = id(target.valueType)  # one range for all elements
         if key not in self._known:
             self._known[key] = None
-            self._known[key] = self._elements(target, target.initializer)
+            self._known[key] = self._elements(target)
         return self._known[key]
 
-    def _elements(self, target: ccode.Variable, values: ccode.InitializerList) -> Range | None:
+    def _elements(self, target: ccode.Variable) -> Range | None:
         if self._seen_elsewhere(target):
             return None
+        values = target.initializer
+        elements = [self.of(each) for each in values.elements] if isinstance(values, ccode.InitializerList) else []
         for reference in target.references:
             use = reference.eContainer()
             if not (isinstance(use, ccode.Index) and use.array is reference) and not isinstance(use, ccode.SizeOf):
                 return None
             outer = use.eContainer()
-            written = isinstance(outer, ccode.Assignment) and outer.left is use
-            if written or (isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&")):
+            while isinstance(outer, ccode.Index) and outer.array is use:
+                use, outer = outer, outer.eContainer()
+            if isinstance(outer, ccode.Assignment) and outer.left is use:
+                elements.append(self.of(outer.right) if outer.operator == "=" else None)
+            elif isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&"):
                 return None
-        elements = [self.of(e) for e in values.elements]
         return _union([*elements, Range(0, 0)]) if elements and None not in elements else None
 
 
@@ -248,4 +280,5 @@ _RULES: dict[str, Callable[[Ranges, Any], Range | None]] = {
     "NameReference": Ranges._name,
     "Index": Ranges._index,
     "Assignment": Ranges._assigned,
+    "Call": Ranges._call,
 }

@@ -21,6 +21,7 @@ class BoardSide(Struct, frozen=True):
         interrupts: number of an interrupt -> label of its pin.
         aliases: every name of a pin -> its label.
         ports: name of a pin on the microcontroller -> its label.
+        char_signed: whether plain char is signed.
         led: label of the pin with the board's LED; empty if there is none.
     """
 
@@ -33,6 +34,7 @@ class BoardSide(Struct, frozen=True):
     aliases: Mapping[str, str]
     ports: Mapping[str, str]
     led: str
+    char_signed: bool = True
 
 
 class BoardMove(Struct, frozen=True):
@@ -68,4 +70,5 @@ def board_side(target: platform.Target) -> BoardSide:
         aliases,
         {str(pin.port): str(pin.label) for pin in board.pins},
         str(board.led or ""),
+        bool(own.charSigned),
     )

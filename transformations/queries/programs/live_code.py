@@ -43,13 +43,18 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
 
 
 def beginnings(units: Sequence[ccode.SourceUnit]) -> list[Element]:
-    """The roots of reachability: every main, the variables that bodies of used macros name, and what C++ calls without a call."""
+    """The roots of reachability: every main, the variables that bodies of used macros name, and what C++ calls without a call.
+
+    A program without a main is a sketch: its core calls setup, loop and serialEvent (Arduino, "Sketch specification").
+    """
     words = in_macros(units)
     pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
+    pending += [] if pending else [d for unit in units for d in unit.declarations if _has_body(d) and d.name in _OF_SKETCHES]
     pending += [d for unit in units for d in unit.declarations if isinstance(d, ccode.Variable) and d.name in words]
     return pending + [function for unit in units for function in all_of_kind(unit, ccode.Function) if _is_called_unseen(function)]
 
 
+_OF_SKETCHES = frozenset(["setup", "loop", "serialEvent"])
 _UNSEEN = re.compile(r"(?:^|[\s:*&])(?:(\w+)::(?:~?\1\b)|operator\b|~)")
 """Matches the signatures of constructors and destructors that are defined outside of their class, and of operators."""
 
@@ -84,8 +89,8 @@ def leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iter
             yield target if target.storage.name == "staticStorage" else defined.get(str(target.name), target)
 
 
-def _has_body(function: ccode.Function | None) -> bool:
-    return function is not None and function.body is not None
+def _has_body(function: ccode.Declaration | None) -> bool:
+    return isinstance(function, ccode.Function) and function.body is not None
 
 
 def identity(variable: ccode.Variable) -> int | str:

@@ -153,7 +153,8 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
     assert plan.program is not None
     assert plan.source is not None
     own = OwnFunctionPins(plan)
-    seen = views(plan.program, ApiIndex.of(plan.source).adapted(own))
+    api = ApiIndex.of(plan.source).adapted(own)
+    seen = views(plan.program, api)
     uses: dict[int, dict[str, set[str]]] = {}
     places: dict[int, set[tuple[str, int]]] = {}
     for use in _uses(plan, seen, folder):
@@ -171,7 +172,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         number = int(binding.sourcePin)
         if channel is None and number < 0:
             continue
-        source = f"AD{channel[1] or channel[2]}" if channel is not None else f"P{number}"
+        source = f"AD{channel[1] or channel[2]}" if channel is not None else api.port_name(number)
         connection = binding.connection
         pin = bound_pin(binding)
         component = connection.component if connection is not None else None
@@ -196,19 +197,19 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
                 first, port = port, first
             found[source] = replace(first, shares_with=port.title)
             others.append(replace(port, shares_with=first.title, device="", pin=""))
-    _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
+    _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)), api)
     found = {source: _with_motor(port) for source, port in found.items()}
-    for source in _asked_by_convention(plan):
+    for source in _asked_by_convention(plan, api):
         there = found.get(source)
         if there is not None and not there.device and not there.line:
             found[source] = replace(there, device=_LEVELS_DEVICE, pin=_LEVELS_PIN)
     return [*found.values(), *others]
 
 
-def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
+def _asked_by_convention(plan: migration.MigrationPlan, api: ApiIndex) -> list[str]:
     """The source pins of conventional ports that are digital inputs and belong to no particular component."""
     return [
-        f"P{int(binding.sourcePin)}"
+        api.port_name(int(binding.sourcePin))
         for binding in plan.portBindings
         if (port := binding.conventionalPort) is not None
         and port.direction == platform.Direction.input
@@ -266,14 +267,14 @@ def _roles(plan: migration.MigrationPlan) -> dict[str, int]:
     return {str(name): int(b.sourcePin) for b in plan.portBindings for name in (b.name, *b.names) if b.sourcePin >= 0}
 
 
-def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> None:
+def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice], api: ApiIndex) -> None:
     """Assign devices with several ports to these; a device on the bus gets a port of its own, named by its address."""
     for device in devices:
         if not device.pins:
             place = f"I2C {device.settings['address']:#04x}"
             ports[place] = BoundPort(place, place, place, device=device.kind, settings=device.settings)
             continue
-        at = {called: f"P{number}" for called, number in device.pins.items()}
+        at = {called: api.port_name(number) for called, number in device.pins.items()}
         if not set(at.values()) <= ports.keys():
             continue
         group = next(iter(at.values()))
@@ -299,7 +300,14 @@ def reads_console(plan: migration.MigrationPlan) -> bool:
     """Whether a plan's program reads what is typed."""
     assert plan.source is not None
     known = _table(str(plan.source.name)).table("console").texts("reads", ())
-    return any(use.name in known for use in plan.adapterUses)
+    assert plan.program is not None
+    if any(use.name in known for use in plan.adapterUses):
+        return True
+    return not plan.adapterUses and any(
+        isinstance(element, ccode.Call) and element.calleeName in known
+        for unit in plan.program.units
+        for element in all_contents(unit)
+    )
 
 
 @cache

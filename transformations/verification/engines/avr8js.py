@@ -52,5 +52,6 @@ class Avr8js(NodeEngine):
     """The engine (see `Engine`)."""
 
     name = "avr8js"
+    steps_cost = 1.0
     mcus = frozenset({"atmega328p"})
     bench = _Run

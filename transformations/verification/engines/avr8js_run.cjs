@@ -158,10 +158,12 @@ bus.eventHandler = {
 ask({ ask: 'start' });
 const beyond = (end + 1) >> 1;
 let crashed = false;
-const reached = new Uint8Array(program.length);
+const reached = new Uint8Array(program.length), jumped = new Uint8Array(program.length), passed = new Uint8Array(program.length);
 while (cpu.cycles < job.end) {
-  reached[cpu.pc] = 1;
+  const at = cpu.pc;
+  reached[at] = 1;
   avr.avrInstruction(cpu);
+  (cpu.pc === at + 1 ? passed : jumped)[at] = 1;
   if (cpu.pc >= beyond) { // it has left the program; avr8js would go through the empty memory and begin again
     crashed = true;
     break;
@@ -173,5 +175,7 @@ while (cpu.cycles < job.end) {
   }
   if (waiting.length) deliver();
 }
-const ran = job.reached ? [...reached.keys()].filter((word) => reached[word]).map((word) => 2 * word) : [];
-write({ t: cpu.cycles, log, ask: 'end', crashed, reached: ran, baud: usart.baudRate });
+const marked = (marks) => (job.reached ? [...marks.keys()].filter((word) => marks[word]).map((word) => 2 * word) : []);
+write({
+  t: cpu.cycles, log, ask: 'end', crashed, baud: usart.baudRate, reached: marked(reached), jumped: marked(jumped), passed: marked(passed),
+});

@@ -41,12 +41,14 @@ class NodeEngine:
 
     Attributes:
         name: of the engine, and of the package.
+        steps_cost: see `Engine`.
         wanted: the package as npm is asked for it; the name if empty.
         mcus: the microcontrollers that it knows.
         bench: the bench of a run.
     """
 
     name: ClassVar[str]
+    steps_cost: ClassVar[float] = 0.0
     wanted: ClassVar[str] = ""
     mcus: ClassVar[frozenset[str]]
     bench: ClassVar[type[NodeBench]]
@@ -182,7 +184,8 @@ class NodeBench(Bench):
         self.ended()
         state = "crashed" if told["crashed"] else "running"
         trace = self.trace(self._title, state, job.horizon_us, self.waves, self._console)
-        return replace(trace, reached=tuple(told.get("reached", ())), console_baud=told.get("baud", 0.0))
+        reached, jumped, passed = (tuple(told.get(each, ())) for each in ("reached", "jumped", "passed"))
+        return replace(trace, reached=reached, jumped=jumped, passed=passed, console_baud=told.get("baud", 0.0))
 
     def _note(self, log: list[list[Any]]) -> None:
         for kind, cycle, first, *more in log:

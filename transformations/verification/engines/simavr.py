@@ -23,6 +23,7 @@ from msgspec.structs import replace
 
 from robosmi import inputs
 from robosmi.errors import MissingToolError, VerificationError
+from robosmi.transformations.verification.engines.avr_steps import Steps
 from robosmi.transformations.verification.engines.avr_timers import Timers
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
@@ -66,6 +67,7 @@ class Simavr:
     """The engine (see `Engine`)."""
 
     name = "simavr"
+    steps_cost = 10.0
 
     def missing(self) -> str | None:
         """What is not installed here; None if it can run."""
@@ -381,14 +383,19 @@ class _Run(Bench):
     def run(self) -> PinTrace:
         """Run until the horizon."""
         self.connect(self._job.devices, self._job.brief)
-        longest = run_in_a_row(self._library, self._avr, lambda: self.cycle) + _LONGEST
         end = round(self._job.horizon_us * self._job.clock_hz / 1e6)
         run = ctypes.cast(self._library.avr_run, ctypes.c_void_p)
+        steps = Steps(self._library, self._avr, self._flash(), frozenset(_STATES)) if self._job.reached else None
         c_library = ctypes.CDLL(None)
         c_library.lfind.restype = ctypes.c_void_p
         c_library.lfind.argtypes = [ctypes.c_void_p] * 3 + [ctypes.c_size_t, ctypes.c_void_p]
+        longest = (run_in_a_row(self._library, self._avr, lambda: self.cycle) if steps is None else 0) + _LONGEST
         count, base = ctypes.c_size_t(), ctypes.c_char_p(b"\0")
         state = "running"
+        while steps is not None and (left := end - self.cycle) > 0 and state == "running":
+            state = _STATES.get(steps.run(max(1, min(_AT_ONCE, left // _LONGEST))), "running")
+            if self._failed:
+                raise self._failed[0]
         while (left := end - self.cycle) > 0 and state == "running":
             count.value = max(1, min(_AT_ONCE, left // longest))
             if c_library.lfind(self._avr, base, ctypes.byref(count), 0, run):
@@ -400,7 +407,8 @@ class _Run(Bench):
         self._ended_at = min(self.cycle, end)
         self.ended()
         trace = self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
-        return replace(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
+        trace = replace(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
+        return steps.noted_in(trace) if steps is not None else trace
 
 
 def _version() -> str:

@@ -16,8 +16,7 @@ from robosmi.transformations.verification.bound_devices.played_devices import pl
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, SourceRuns
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
-from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_calls import LibraryCall, library_calls
+from robosmi.verify.original import LibraryCall, Original
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import FirstDifference
 from robosmi.verify.traces.verdict import CallsAround
@@ -31,7 +30,7 @@ _MACRO = re.compile(r"^__builtin_propeller_")
 
 
 def calls_around(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, difference: FirstDifference
+    program: Original, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, difference: FirstDifference
 ) -> CallsAround:
     """The library calls of the source near a difference: those between the channel's events before and after it.
 
@@ -50,9 +49,9 @@ def calls_around(
     end_us = min(later + _MARGIN_US, at_us + _LONGEST_US, scenario.horizon_ms * 1000)
     if end_us <= begin_us:
         return CallsAround()
-    made = library_calls(program, played(ports, scenario, target=False), begin_us, end_us)
+    made = program.calls(played(ports, scenario, target=False), begin_us, end_us)
     calls = [replace(call, function=_MACRO.sub("", call.function)) for call in made]
-    maker = last_call_for(difference.channel, calls, ports, at_us, program.model.stores)
+    maker = last_call_for(difference.channel, calls, ports, at_us, program.stores)
     told = {(call.function, call.file, call.line): call for call in calls if call.at_us <= at_us}
     after = {(call.function, call.file, call.line): call for call in reversed(calls) if call.at_us > at_us}
     near = [*sorted(told.values(), key=_when)[-_BEFORE:], *sorted(after.values(), key=_when)[:_AFTER]]

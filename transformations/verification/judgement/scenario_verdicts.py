@@ -28,7 +28,7 @@ from robosmi.transformations.verification.loop_pass import runs_a_pass_apart
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
-from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.activity import ActivityEvent
@@ -74,7 +74,7 @@ class ComparedScenarios(Struct):
 
 
 def compare_scenarios(
-    program: OriginalProgram, ports: Sequence[BoundPort], cases: Sequence[Case], side: TargetSide, one_thread: bool,
+    program: Original, ports: Sequence[BoundPort], cases: Sequence[Case], side: TargetSide, one_thread: bool,
     at_rest: Mapping[str, int], whole: bool = False,
 ) -> ComparedScenarios:  # fmt: skip
     """Run the migrated program in each scenario, and compare what both do.

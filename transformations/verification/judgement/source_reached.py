@@ -14,9 +14,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import Boun
 from robosmi.transformations.verification.judgement.compared_outputs import compared_outputs, unreachable_functions
 from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.verify.missed_lines import line_ranges
-from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_coverage import SourceCoverage, coverage
-from robosmi.verify.original_run import run_original
+from robosmi.verify.original import Original, SourceCoverage
 from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.traces.verdict import NOT_DECIDABLE, ScenarioVerdict, Verdict
 
@@ -29,7 +27,7 @@ def _open_now(output: Path) -> dict[str, bool]:
 
 
 def cover(
-    verdict: Verdict, program: OriginalProgram, cases: Sequence[SourceRuns], racy: Sequence[bytes], plan: migration.MigrationPlan,
+    verdict: Verdict, program: Original, cases: Sequence[SourceRuns], racy: Sequence[bytes], plan: migration.MigrationPlan,
     output: Path, ports: Sequence[BoundPort],
 ) -> None:  # fmt: skip
     """Add to a verdict how much of the source the decided scenarios reach, and which unfinished adapters are called.
@@ -53,21 +51,21 @@ def cover(
         for runs, told in zip(cases, verdict.scenarios, strict=True)
         if runs.nominal.counts
     ]:
-        verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output), program.stubbed)
+        verdict.reasons += _unfinished(program.coverage(called), plan, _open_now(output), program.stubbed)
     verdict.counted = len(decided)
     verdict.outputs = compared_outputs(verdict, ports)
     if not decided:
         return
     assert plan.program is not None
     dead = unreachable_functions(plan.program.units)
-    covered = coverage(program, decided)
+    covered = program.coverage(decided)
     ran = {(Path(file).name, name) for (file, line), name in covered.functions.items() if covered.lines[file, line]}
     dead = {place: text for place, text in dead.items() if place not in ran}  # called in a way that the model does not show
     verdict.unreachable = sorted(dead.values())
     dead_lines = {(Path(file).name, line) for (file, line), name in covered.functions.items() if (Path(file).name, name) in dead}
     verdict.outputs = compared_outputs(verdict, ports, dead_lines)
     covered = covered.without(dead)
-    by_racy = coverage(program, [c for c in racy if c]).without(dead) if any(racy) else None
+    by_racy = program.coverage([c for c in racy if c]).without(dead) if any(racy) else None
     verdict.lines_pct = covered.line_percent
     only_racy = {place for place in covered.missed_branches if by_racy is not None and by_racy.branches.get(place, 0) > 0}
     missed = [place for place in covered.missed_branches if place not in only_racy]
@@ -79,11 +77,11 @@ def cover(
     verdict.untaken = [f"{Path(file).name}:{line}" for file, line, _ in missed if covered.lines.get((file, line))]
 
 
-def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalProgram, ports: Sequence[BoundPort]) -> bytes:
+def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: Original, ports: Sequence[BoundPort]) -> bytes:
     """The coverage counters of what was compared: if the migrated program crashes, the source runs again up to that time."""
     if told.crash is None:
         return runs.nominal.counts
-    return run_original(program, told.simulated_ms * 1000, played(ports, told.scenario, target=False)).counts
+    return program.run(told.simulated_ms * 1000, played(ports, told.scenario, target=False)).counts
 
 
 def _unfinished(

@@ -33,7 +33,7 @@ from robosmi.transformations.verification.search.threshold_search import (
     with_thresholds,
 )
 from robosmi.transformations.verification.search.undisturbed_search import try_undisturbed
-from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
@@ -46,7 +46,7 @@ _MOST_SERIES = 8
 
 
 def search(
-    program: OriginalProgram,
+    program: Original,
     ports: Sequence[BoundPort],
     texts: Sequence[str],
     types: bool,
@@ -74,7 +74,7 @@ def search(
         steps: the number of steps of a variable that the program tells apart.
         numbers: the numbers that the program compares with what is typed or sent, each with the text to type before it.
     """
-    effort = SearchEffort(budget_s, clock_s=clock_s)
+    effort = SearchEffort(budget_s, clock_s=clock_s, second_s=program.second_s)
     made = Trials(program, ports, set(known), effort)
     inputs = scenario_inputs(ports, texts, types, steps)
     horizons = _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,))
@@ -170,7 +170,7 @@ def _try_series(trials: Trials, inputs: Sequence[ScenarioInput]) -> None:
 
 
 def _horizon(
-    program: OriginalProgram, ports: Sequence[BoundPort], effort: SearchEffort, horizons: Sequence[float] = _HORIZONS_MS
+    program: Original, ports: Sequence[BoundPort], effort: SearchEffort, horizons: Sequence[float] = _HORIZONS_MS
 ) -> float:
     """The length of scenarios in milliseconds: until a program without signals reaches nothing new for as long again.
 

@@ -34,9 +34,7 @@ from robosmi.transformations.verification.search.scenario_goals import (
 )
 from robosmi.transformations.verification.search.scenario_inputs import Signals
 from robosmi.transformations.verification.search.search_effort import SearchEffort
-from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_coverage import reached
-from robosmi.verify.original_run import OriginalRun, run_original
+from robosmi.verify.original import Original, OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT
 
@@ -74,7 +72,7 @@ class FoundScenarios(Struct):
 class Trials:
     """The state of a search: what was found and reached, and how many scenarios in a row have reached nothing new."""
 
-    def __init__(self, program: OriginalProgram, ports: Sequence[BoundPort], seen: set[Place], effort: SearchEffort) -> None:
+    def __init__(self, program: Original, ports: Sequence[BoundPort], seen: set[Place], effort: SearchEffort) -> None:
         self.program = program
         self.ports = ports
         self.seen = seen
@@ -164,7 +162,7 @@ class Trials:
         devices = played(self.ports, scenario, target=False)
         for shift in _PHASES_MS:
             moved = moved_devices(devices, random.Random(0), shift)
-            run = run_original(self.program, scenario.horizon_ms * 1000, moved, brief=brief_pins(self.ports, target=False))
+            run = self.program.run(scenario.horizon_ms * 1000, moved, brief=brief_pins(self.ports, target=False))
             self.effort.add(run)
             seen = channel_events(run.trace, self.ports, target=False)
             for name, source in runs.channels.items():
@@ -203,5 +201,5 @@ class Trials:
         return any(len(place) == 1 for place in look.told - self.ways)
 
     def _look_of(self, run: OriginalRun, seen: ChannelEvents) -> Look:
-        edges = reached(self.program, run.counts) if run.counts else frozenset()
+        edges = self.program.reached(run.counts) if run.counts else frozenset()
         return look_of(shown_values(seen), edges, run.compared)

@@ -10,13 +10,11 @@ from time import monotonic
 
 from msgspec import Struct, field
 
-from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.original import OriginalRun
 
 _RUN_S = 0.02
 """Estimated seconds to start a run and to read its coverage."""
 _RECORD_S = 15e-6
-_SIMULATED_PART = 0.002
-"""Estimated seconds for each simulated one, of a polling program."""
 _OUTER = 3.0
 """The limit by the clock is this many times the budget, since a busy machine takes longer."""
 
@@ -31,6 +29,7 @@ class SearchEffort(Struct):
         given_up: whether the search ends before its budget does.
         late: whether the clock has ended the search or a part of it, so that another run may find something else.
         clock_s: the limit by the clock, in seconds; None for some times the budget.
+        second_s: estimated seconds for each simulated one, of a polling program.
         cut: whether budget or clock have ended the search, or a part of it, though it had more to try.
     """
 
@@ -41,6 +40,7 @@ class SearchEffort(Struct):
     late: bool = False
     clock_s: float | None = None
     cut: bool = False
+    second_s: float = 0.002
 
     @property
     def elapsed_s(self) -> float:
@@ -62,7 +62,7 @@ class SearchEffort(Struct):
         """Add the estimated time of a run, or of several like it."""
         trace = run.trace
         records = len(trace.changes) + len(trace.waves) + len(trace.console) + len(trace.device_events)
-        self.spent_s += times * (_RUN_S + _RECORD_S * records + _SIMULATED_PART * trace.simulated_us / 1e6)
+        self.spent_s += times * (_RUN_S + _RECORD_S * records + self.second_s * trace.simulated_us / 1e6)
 
     def is_over(self, share: float = 1.0) -> bool:
         """Whether a share of the budget is spent, or as large a share of the limit by the clock."""

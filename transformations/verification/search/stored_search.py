@@ -17,7 +17,7 @@ from msgspec import Struct
 import robosmi
 from robosmi import inputs
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original import Original
 from robosmi.verify.traces.verdict import SearchEnd
 
 FILE = "search.json"
@@ -46,7 +46,7 @@ class StoredSearch(Struct):
         return msgspec.json.format(msgspec.json.encode(self), indent=1).decode() + "\n"
 
 
-def search_digest(program: OriginalProgram, sources: Mapping[str, bytes], ports: Sequence[BoundPort], *settings: object) -> str:
+def search_digest(program: Original, sources: Mapping[str, bytes], ports: Sequence[BoundPort], *settings: object) -> str:
     """A digest of all that a search depends on.
 
     Args:
@@ -57,8 +57,7 @@ def search_digest(program: OriginalProgram, sources: Mapping[str, bytes], ports:
     """
     of = [robosmi.__version__, program.compiler, sorted(sources.items()), list(ports), program.stubbed, settings]
     digest = hashlib.sha256(msgspec.json.encode(of, order="deterministic"))
-    for path in program.model.files:
-        digest.update(f"\0{path.name}\0".encode() + inputs.read_bytes(path, inputs.DATA))
+    digest.update(program.digest())
     return digest.hexdigest()
 
 
@@ -70,12 +69,12 @@ def scenarios_digest(files: Iterable[Path]) -> str:
     return digest.hexdigest()
 
 
-def stored_search(folder: Path, search: str, program: OriginalProgram) -> StoredSearch | None:
+def stored_search(folder: Path, search: str, program: Original) -> StoredSearch | None:
     """The record of a search in a folder of scenarios; None if there is none for this search and these scenarios."""
     try:
         found = msgspec.json.decode(inputs.read_bytes(folder / FILE, inputs.RECORD), type=StoredSearch)
         same = found.search == search and found.scenarios == scenarios_digest(folder.glob("*.toml"))
     except (OSError, msgspec.DecodeError):
         return None
-    fits = found.racy >= 0 and all(len(counts) in (0, program.data_bytes) for counts in found.racy_counts)
+    fits = found.racy >= 0 and all(len(counts) in (0, program.counts_bytes) for counts in found.racy_counts)
     return found if same and fits else None

@@ -19,6 +19,6 @@ void setup() {
 
 void loop() {
   row.index = index;
-  PORTB |= _BV(5);
+  SPCR = 0x50;
   tone(8, 440);
 }

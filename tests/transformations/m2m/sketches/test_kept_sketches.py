@@ -1,0 +1,30 @@
+"""Sketches that move to a board with other numbers and registers: the text before, and what the rules make of it.
+
+A case is a folder with the sketch and `expected.ino`. Cases without that file stay as they are.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import robosmi
+
+CASES = Path(__file__).parent / "cases"
+
+
+@pytest.mark.parametrize("case", sorted(path.name for path in CASES.iterdir()))
+def test_a_sketch_keeps_what_it_does(case: str, tmp_path: Path) -> None:
+    sketch = CASES / case / case / f"{case}.ino"
+    robosmi.migrate([sketch], tmp_path / "out", target="pico", source_board="uno")
+    expected = CASES / case / "expected.ino"
+    text = (tmp_path / "out" / case / f"{case}.ino").read_text()
+    assert text == (expected if expected.is_file() else sketch).read_text()
+
+
+@pytest.mark.parametrize("case", sorted(path.name for path in CASES.iterdir()))
+def test_nothing_changes_for_a_board_with_the_same_processor(case: str, tmp_path: Path) -> None:
+    sketch = CASES / case / case / f"{case}.ino"
+    robosmi.migrate([sketch], tmp_path / "out", target="nano", source_board="uno")
+    assert (tmp_path / "out" / case / f"{case}.ino").read_text() == sketch.read_text()

@@ -1,0 +1,35 @@
+"""The least and the greatest value that functions and methods of a platform return (`values.toml`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+
+from robosmi import resources
+from robosmi.base.data_tables import DataTable
+from robosmi.project import read_data
+
+
+@cache
+def returned_values(platform: str) -> Mapping[str, tuple[int, int]]:
+    """Name of a function or method -> the least and the greatest value; empty for a platform without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
+        return {}
+    path = resources.find("platform_repo", f"{platform}/{_FILE}")
+    table = DataTable(path, read_data(path))
+    found: dict[str, tuple[int, int]] = {}
+    for kind in ("functions", "methods"):
+        entries = table.table(kind, needed=False)
+        for name in entries.values:
+            ends = entries.numbers(name)
+            if len(ends) != 2 or ends[0] > ends[1]:
+                raise entries.error(name, "must be the least and the greatest value")
+            found[name] = ends[0], ends[1]
+    return found
+
+
+_FILE = "values.toml"

@@ -1,0 +1,177 @@
+"""Objects have the bytes that they have on a board with a narrower int: records and variables that are stored or sent as bytes.
+
+Members of type int get 16 bits, double is a float, and a record is packed where the target would align its members otherwise.
+So are the members of unions, and the types in `sizeof(int)`. Source: the ABI of avr-gcc (no alignment, double of 4 bytes).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.replacements import Replacement, inserted
+from robosmi.transformations.m2m.sketches.int_widths import declarations, is_free, retyped_here
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.own_headers import unit_of
+
+BYTES, SIZE = "bytes_of_object", "sizeof_int"
+_RULE = "object-bytes"
+_SIZES = {
+    "char": 1, "signed char": 1, "unsigned char": 1, "bool": 1, "int8_t": 1, "uint8_t": 1, "short": 2, "unsigned short": 2,
+    "int": 2, "unsigned int": 2, "int16_t": 2, "uint16_t": 2, "long": 4, "unsigned long": 4, "int32_t": 4, "uint32_t": 4,
+    "float": 4, "double": 4, "long long": 8, "unsigned long long": 8, "int64_t": 8, "uint64_t": 8,
+}  # fmt: skip
+"""Bytes of the types that the rule knows, as they are once its edits are made: so are their alignments on the target."""
+_KEYWORD = re.compile(rb"\b(?:struct|class|union)\b")
+_MEASURED = re.compile(rb"\b(unsigned\s+int|unsigned|int|double)\b")
+_OF_WIDTH = {b"double": b"float", b"int": b"int16_t"}
+
+
+def object_bytes(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of records, variables and sizes."""
+    if sketch.move.source.int_bits >= sketch.move.target.int_bits:
+        return
+    records, variables, cured = [], [], dict[int, tuple[CodeView, set[int]]]()
+    for view in sketch.views:
+        lines = sketch.lines(BYTES, view)
+        for element in view.of_kind(ccode.Expression):
+            holder = _holder(element) if int(element.line) in lines and _takes_bytes(element) else None
+            if holder is None:
+                continue
+            record = _record(sketch, holder)
+            if record is not None and record not in records:
+                records.append(record)
+            elif record is None and holder not in variables:
+                variables.append(holder)
+            whole = record is None or _is_known(sketch, record)
+            if whole and (record is not None or is_free_of_pointers(holder)):
+                cured.setdefault(id(view), (view, set()))[1].add(int(element.line))
+    unions = [r for view in sketch.views for r in view.of_kind(ccode.Record) if r.recordKind is ccode.RecordKind.unionType]
+    for record in [*records, *(union for union in unions if union not in records)]:
+        yield from _of_record(sketch, record)
+    for variable in variables:
+        for each in declarations(sketch.views, variable):
+            if words := _words(sketch, each):
+                yield SketchEdit(each, _RULE, f"the bytes of '{each.name}' are those that it has on its own board", words)
+    told = "the objects have the bytes that they have on their own board"
+    for view, found in cured.values():
+        yield SketchEdit(view.unit, _RULE, told, (), BYTES, tuple(sorted(found)))
+    yield from _sizes(sketch)
+
+
+def is_free_of_pointers(holder: ccode.Variable | ccode.Field | ccode.Parameter) -> bool:
+    """Whether a variable may have another type: its address is only taken for its bytes."""
+    return isinstance(holder, ccode.Field) or is_free(holder)
+
+
+def _takes_bytes(element: ccode.Expression) -> bool:
+    """Whether an expression names an object in a call or a cast that takes its bytes."""
+    outer = element.eContainer()
+    while isinstance(outer, (ccode.Unary, ccode.Index)):
+        outer = outer.eContainer()
+    return isinstance(element, (ccode.NameReference, ccode.Member)) and isinstance(outer, (ccode.Call, ccode.Cast))
+
+
+def _holder(element: ccode.Expression) -> ccode.Variable | ccode.Parameter | None:
+    target = element.target if isinstance(element, ccode.NameReference) else None
+    return target if isinstance(target, (ccode.Variable, ccode.Parameter)) else None
+
+
+def _record(sketch: MovedSketch, holder: ccode.Variable | ccode.Parameter | ccode.Field) -> ccode.Record | None:
+    """The program's record that a variable is, or an array of which it is."""
+    use = holder.valueType
+    declared = use.declaration if use is not None else None
+    if isinstance(declared, ccode.Typedef):
+        declared = declared.aliased.declaration if declared.aliased is not None else None
+    if isinstance(declared, ccode.Record):
+        return declared
+    words = re.findall(r"\w+", str(use.spelling)) if use is not None else []
+    return next((r for view in sketch.views for r in view.of_kind(ccode.Record) if r.name and r.name in words), None)
+
+
+def _kind(field: ccode.Declaration) -> str:
+    use = field.valueType if isinstance(field, (ccode.Field, ccode.Variable, ccode.Parameter)) else None
+    canonical = str(use.canonical or use.spelling) if use is not None else ""
+    return " ".join(word for word in canonical.partition("[")[0].split() if word not in ("const", "volatile"))
+
+
+def _is_known(sketch: MovedSketch, record: ccode.Record) -> bool:
+    """Whether all members of a record are numbers, or records of such."""
+    for field in record.fields:
+        inner = _record(sketch, field)
+        if _kind(field) not in _SIZES and (inner is None or inner is record or not _is_known(sketch, inner)):
+            return False
+    return not record.bases
+
+
+def _of_record(sketch: MovedSketch, record: ccode.Record) -> Iterator[SketchEdit]:
+    """The edits of a record: of its members and those of its members' records, and that it is packed."""
+    for field in record.fields:
+        inner = _record(sketch, field)
+        if inner is not None and inner is not record:
+            yield from _of_record(sketch, inner)
+        elif words := _words(sketch, field):
+            yield SketchEdit(field, _RULE, f"the member '{field.name}' has the bytes that it has on its own board", words)
+    unit = unit_of(record)
+    if unit is None or record.recordKind is ccode.RecordKind.unionType or not _is_aligned_otherwise(sketch, record):
+        return
+    data = sketch.sources[str(unit.path)]
+    if found := _KEYWORD.search(data, int(record.startOffset), int(record.endOffset)):
+        packed = inserted(found.end(), " __attribute__((packed))")
+        yield SketchEdit(record, _RULE, "its members lie as on its own board, where none is aligned", (packed,))
+
+
+def _is_aligned_otherwise(sketch: MovedSketch, record: ccode.Record) -> bool:
+    """Whether the target would leave room between the members of a record, or behind them."""
+    at, widest = 0, 1
+    for field in record.fields:
+        size = _SIZES.get(_kind(field))
+        if size is None:
+            return True
+        if at % size:
+            return True
+        use, widest = field.valueType, max(widest, size)
+        count = 1
+        for dimension in re.findall(r"\[(\d+)\]", str(use.arrayDims) if use is not None else ""):
+            count *= int(dimension)
+        at += size * count
+    return bool(at % widest)
+
+
+def _words(sketch: MovedSketch, each: ccode.Declaration) -> tuple[Replacement, ...]:
+    """The replacements of the words of a declared type by those that have its bytes."""
+    unit = unit_of(each)
+    if unit is None or _kind(each) not in ("int", "unsigned int", "double"):
+        return ()
+    if _kind(each) != "double":
+        return retyped_here(sketch, each, sketch.move.source.int_bits)
+    data, start = sketch.sources[str(unit.path)], int(each.startOffset)
+    found = re.compile(rb"\bdouble\b").search(data, start, int(each.endOffset))
+    return (Replacement(found.start(), found.end(), "float"),) if found else ()
+
+
+def _sizes(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of `sizeof(int)`, but for one that divides the size of an array to count its elements."""
+    for view in sketch.views:
+        lines = sketch.lines(SIZE, view)
+        for size in view.of_kind(ccode.SizeOf):
+            if int(size.line) not in lines or _counts(size):
+                continue
+            data = sketch.sources[str(view.unit.path)]
+            found = _MEASURED.search(data, int(size.startOffset), int(size.endOffset))
+            if found is None:
+                continue
+            text = _OF_WIDTH.get(b" ".join(found[1].split()), b"uint16_t").decode()
+            reason = "the size is that on its own board"
+            yield SketchEdit(size, _RULE, reason, (Replacement(found.start(), found.end(), text),), SIZE, (int(size.line),))
+        counting = sorted({int(s.line) for s in view.of_kind(ccode.SizeOf) if _counts(s)} & lines)
+        if counting:
+            yield SketchEdit(view.unit, _RULE, "the size divides that of an array of the same type", (), SIZE, tuple(counting))
+
+
+def _counts(size: ccode.SizeOf) -> bool:
+    """Whether a size divides that of an array, which gives the number of its elements on any board."""
+    outer = size.eContainer()
+    return isinstance(outer, ccode.Binary) and outer.operator == "/" and isinstance(outer.left, ccode.SizeOf)

@@ -1,0 +1,313 @@
+"""Where a program's numbers may leave the 16 bits of its int: variables that wrap around, and expressions whose result does.
+
+On a board with a wider int such a variable counts on, and such a result keeps its upper bits. What decides is evidence in the
+text: values that are too large or too small, and sums that nothing bounds. Nothing is said of values that come from unknown
+functions. A counter that is compared with a bound and then set, or that runs in a loop of known length, is bounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.query import all_contents, ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constants.ranges import Range, Ranges
+from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number, Numbers
+
+Holder = ccode.Variable | ccode.Parameter | ccode.Field
+_GROWING = frozenset(["+", "-", "*", "<<"])
+_CLOSED = _GROWING | {"&", "|", "^"}
+"""Operators whose result modulo a power of two depends only on the operands modulo that power."""
+_STEPS = frozenset(["+=", "-=", "*=", "<<="])
+_ROUNDS = 3
+
+
+class WrappedValues:
+    """Finds them in a program, whose files are given as views.
+
+    Args:
+        views: a view of each unit.
+        here: the machine of the source.
+        there: the machine of the target, whose int is wider.
+        results: what functions return (see `Ranges`).
+    """
+
+    def __init__(self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]]) -> None:
+        self.views, self.here, self.there, self._results = views, here, there, results
+        self._wrapping: set[int] = set()
+        self._ranges = self._made()
+        for _ in range(_ROUNDS):  # what takes the value of a variable that wraps may wrap as well
+            found = {id(each) for each in self._holders if self._leaves(each)}
+            if found <= self._wrapping:
+                break
+            self._wrapping |= found
+            self._ranges = self._made()
+
+    def _made(self) -> Ranges:
+        functions = {
+            each.name: FunctionType(each.entry.detail, ())
+            for view in self.views
+            for each in view.called().values()
+            if each.entry is not None and each.entry.kind == "function"
+        }
+        macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
+        values = self.views[0].values
+        numbers = Numbers(self.here, functions, {}, macros, self._aliases)
+        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping)
+
+    @cached_property
+    def _aliases(self) -> dict[str, str]:
+        """The platform's types that are numbers: name -> the type of the language."""
+        found = {}
+        for view in self.views:
+            for used in view.types():
+                entry = view.resolve(used.name)
+                if entry is not None and entry.detail.startswith("typedef "):
+                    found[used.name] = entry.detail.removeprefix("typedef ")
+        return found
+
+    @cached_property
+    def _holders(self) -> list[Holder]:
+        """The variables and parameters of the type int, signed or not, arrays of it included."""
+        every: list[Holder] = []
+        for view in self.views:
+            every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter)]
+        return [each for each in every if self.is_int(each.valueType)]
+
+    def is_int(self, use: ccode.TypeUse | None) -> bool:
+        """Whether a type is int or unsigned int, whose width differs, or an array of it."""
+        number = self._ranges.numbers.declared(use) if use is not None and not use.pointerDepth else None
+        if number is None or number.real or number.fixed or "&" in str(use.spelling if use is not None else ""):
+            return False
+        return number.bits == self.here.int_bits and not str(use.spelling if use is not None else "").endswith("_t")
+
+    @property
+    def variables(self) -> list[Holder]:
+        """The variables and parameters that may leave 16 bits, in text order."""
+        return [each for each in self._holders if id(each) in self._wrapping]
+
+    def wraps(self, holder: Element | None) -> bool:
+        """Whether a variable is one of these."""
+        return id(holder) in self._wrapping
+
+    def number(self, expression: ccode.Expression | None) -> Number | None:
+        """The type of an expression on the source."""
+        return self._ranges.numbers.of(expression)
+
+    def range_of(self, expression: ccode.Expression | None) -> Range | None:
+        """The range of an expression if nothing wraps within it."""
+        return self._ranges.of(expression)
+
+    # ---- variables
+
+    def _leaves(self, holder: Holder) -> bool:
+        use = holder.valueType
+        number = self._ranges.numbers.declared(use)
+        if number is None:
+            return False
+        given: list[ccode.Expression | None] = [holder.initializer] if isinstance(holder, ccode.Variable) else []
+        given = list(given[0].elements) if given and isinstance(given[0], ccode.InitializerList) else given
+        for reference in holder.references:
+            written = _written(reference)
+            if written is None:
+                continue
+            if isinstance(written, ccode.Assignment) and written.operator == "=":
+                given.append(written.right)
+                if (
+                    _mentions(written.right, holder)
+                    and self._grows_by(written.right, holder)
+                    and not self._bounded(written, holder)
+                ):
+                    return True
+            elif isinstance(written, ccode.Unary) or written.operator in _STEPS:
+                if not self._bounded(written, holder):
+                    return True
+            elif isinstance(written, ccode.Assignment) and written.operator == "|=":
+                given.append(written.right)
+        return any(self.leaves(each, number) for each in given)
+
+    def leaves(self, expression: ccode.Expression | None, number: Number) -> bool:
+        """Whether the value of an expression is known to lie beyond a type at times, or wraps on its way."""
+        found = self._ranges.of(expression)
+        return found is not None and not found.within(number.least, number.most)
+
+    def _grows_by(self, value: ccode.Expression | None, holder: Holder) -> bool:
+        """Whether an assigned value is the old one with something added, so that no range tells where it ends."""
+        if self._ranges.of(value) is not None and not self.wraps(holder):
+            return False
+        while isinstance(value, (ccode.Cast, ccode.Unary)):
+            value = value.operand
+        return isinstance(value, ccode.Binary) and value.operator in _GROWING
+
+    def _bounded(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
+        """Whether a loop of known length bounds a step, or a comparison that guards it or sets the variable."""
+        loop = written.eContainer()
+        if isinstance(loop, ccode.For) and loop.step is written:
+            return self._compared(loop.condition, holder)
+        if self._few_rounds(written, holder):
+            return True
+        for reference in holder.references:
+            comparison = reference.eContainer()
+            if not isinstance(comparison, ccode.Binary) or comparison.operator not in COMPARISONS:
+                continue
+            if not self._compared(comparison, holder):
+                continue
+            decided = _decided_by(comparison)
+            if decided is None:
+                continue
+            inside = {id(each) for each in all_contents(decided)}
+            sets = (
+                r
+                for r in holder.references
+                if id(r) in inside and isinstance(w := _written(r), ccode.Assignment) and w.operator == "="
+            )
+            if id(written) in inside or any(True for _ in sets):
+                return True
+        return False
+
+    def _compared(self, condition: ccode.Expression | None, holder: Holder) -> bool:
+        """Whether a condition compares a variable with a value that is known to lie within its type."""
+        if isinstance(condition, ccode.Binary) and condition.operator in ("&&", "||"):
+            return self._compared(condition.left, holder) or self._compared(condition.right, holder)
+        if not isinstance(condition, ccode.Binary) or condition.operator not in COMPARISONS:
+            return False
+        number = self._ranges.numbers.declared(holder.valueType)
+        sides = (condition.left, condition.right)
+        for own, other in (sides, sides[::-1]):
+            if isinstance(own, ccode.NameReference) and own.target is holder and number is not None:
+                found = self._ranges.of(other)
+                return found is None or found.within(number.least, number.most)
+        return False
+
+    def _few_rounds(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
+        """Whether a local variable is only added to in loops of known length, by known values, and so stays within its type."""
+        if not isinstance(holder, ccode.Variable) or holder.storage is ccode.Storage.staticStorage:
+            return False
+        function, number = ancestor_of_kind(holder, ccode.Function), self._ranges.numbers.declared(holder.valueType)
+        start = self._ranges.of(holder.initializer)
+        if function is None or number is None or start is None:
+            return False
+        low, high = start.low, start.high
+        for reference in holder.references:
+            step = _written(reference)
+            if step is None:
+                continue
+            if isinstance(step, ccode.Assignment) and step.operator not in ("+=", "-="):
+                return False
+            added = Range(1, 1) if isinstance(step, ccode.Unary) else self._ranges.of(step.right)
+            rounds = self._rounds(step, holder)
+            if added is None or rounds is None:
+                return False
+            down = step.operator in ("-=", "--")
+            least, most = (-added.high, -added.low) if down else (added.low, added.high)
+            low, high = low + rounds * min(least, 0), high + rounds * max(most, 0)
+        return number.least <= low and high <= number.most
+
+    def _rounds(self, step: Element, holder: Holder) -> int | None:
+        """How often a statement runs each time a variable is made; None if that is not known."""
+        inside = holder.eContainer()
+        while inside is not None and not isinstance(inside, (ccode.Block, ccode.Function)):
+            inside = inside.eContainer()
+        rounds, at = 1, step.eContainer()
+        while at is not None and at is not inside:
+            if isinstance(at, ccode.Loop):
+                counter = at.condition.left if isinstance(at, ccode.For) and isinstance(at.condition, ccode.Binary) else None
+                found = self._ranges.of(counter) if isinstance(counter, ccode.NameReference) else None
+                if found is None or not found.given:
+                    return None
+                rounds *= max(1, found.high - found.low)
+            at = at.eContainer()
+        return rounds if at is inside else None
+
+    # ---- expressions
+
+    def exceeding(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
+        """The expressions of a unit that wrap on the source where their value is looked at, with their types there."""
+        for expression in view.elements:
+            if not isinstance(expression, (ccode.Binary, ccode.Unary)):
+                continue
+            number = self.number(expression)
+            if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
+                continue
+            if self.exceeds(expression, number) and self._looked_at(expression, number):
+                yield expression, number
+
+    def exceeds(self, expression: ccode.Expression | None, number: Number) -> bool:
+        """Whether a result may have bits beyond its type on the source."""
+        if isinstance(expression, ccode.Unary) and expression.operator in ("-", "~", "+"):
+            operands = [expression.operand]
+        elif isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
+            operands = [expression.left] if expression.operator == "<<" else [expression.left, expression.right]
+        else:
+            return False
+        found = self._ranges.of(expression)
+        if found is not None:
+            return not found.within(number.least, number.most)
+        return any(
+            self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
+        )
+
+    def _looked_at(self, expression: ccode.Expression, number: Number) -> bool:
+        """Whether the context of an expression depends on bits beyond its type on the source."""
+        outer = expression.eContainer()
+        if isinstance(outer, ccode.Binary) and outer.operator in _CLOSED:
+            of = self.number(outer)
+            same = of is not None and not of.real and of.bits == number.bits
+            return not same or (outer.operator == "<<" and outer.right is expression)
+        if isinstance(outer, ccode.Unary) and outer.operator in ("-", "~", "+"):
+            return False
+        if isinstance(outer, ccode.Assignment) and outer.right is expression:
+            return not self._cuts(_target(outer.left), outer.left)
+        if isinstance(outer, ccode.Variable):
+            return not self._cuts(outer, None)
+        if isinstance(outer, ccode.Cast):
+            to = self.there.number(str(outer.target.spelling)) if outer.target is not None else None
+            return to is None or to.real or to.bits > number.bits
+        return not isinstance(outer, (ccode.ExpressionStatement, ccode.For))
+
+    def _cuts(self, holder: Element | None, place: ccode.Expression | None) -> bool:
+        """Whether what is stored in a place is cut to 16 bits there, on the target as well."""
+        if isinstance(holder, (ccode.Variable, ccode.Parameter, ccode.Field)):
+            if self.wraps(holder):
+                return True
+            kind = self._ranges.numbers.declared(holder.valueType)
+            return kind is not None and not kind.real and kind.fixed and kind.bits <= self.here.int_bits
+        return False
+
+
+def _target(place: ccode.Expression | None) -> Element | None:
+    """The variable that a place is, or is an element of."""
+    while isinstance(place, ccode.Index):
+        place = place.array
+    return place.target if isinstance(place, ccode.NameReference) else None
+
+
+def _written(reference: ccode.NameReference) -> ccode.Assignment | ccode.Unary | None:
+    """The assignment or step by which a name, or an element of the array that it names, is written; None where it is read."""
+    at: Element = reference
+    outer = at.eContainer()
+    while isinstance(outer, ccode.Index) and outer.array is at:
+        at, outer = outer, outer.eContainer()
+    if isinstance(outer, ccode.Assignment) and outer.left is at:
+        return outer
+    return outer if isinstance(outer, ccode.Unary) and outer.operator in ("++", "--") else None
+
+
+def _mentions(expression: ccode.Expression | None, holder: Holder) -> bool:
+    inside = [expression, *all_contents(expression)] if expression is not None else []
+    return any(isinstance(each, ccode.NameReference) and each.target is holder for each in inside)
+
+
+def _decided_by(comparison: ccode.Binary) -> ccode.Statement | ccode.ConditionalExpression | None:
+    """The statement or expression whose way a comparison decides, alone or with others."""
+    at: Element = comparison
+    outer = at.eContainer()
+    while isinstance(outer, ccode.Binary) and outer.operator in ("&&", "||"):
+        at, outer = outer, outer.eContainer()
+    if isinstance(outer, (ccode.If, ccode.Loop)) and outer.condition is at:
+        return outer
+    return outer if isinstance(outer, ccode.ConditionalExpression) and outer.condition is at else None
