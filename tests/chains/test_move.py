@@ -89,7 +89,7 @@ def test_without_a_drawing_pins_are_proposed_and_wait_for_approval(study: str, u
     moved = document["result"]["moved"]
     assert moved["pins_proposed"]
     assert moved["open"] == moved["lost"] == 0
-    assert "RS347" in {finding["rule"] for finding in document["findings"]}
+    assert "RS348" in {finding["rule"] for finding in document["findings"]}
     table = new / "models" / "source" / f"{study}_pico.csv"
     before, after = pins(out), pins(new)
     assert before.keys() == after.keys()
@@ -98,7 +98,7 @@ def test_without_a_drawing_pins_are_proposed_and_wait_for_approval(study: str, u
     # a person gives the table back as the drawing: that is the approval
     approved = move(out, new, "--hardware", table)
     assert not approved["result"]["moved"]["pins_proposed"]
-    assert "RS347" not in {finding["rule"] for finding in approved["findings"]}
+    assert "RS348" not in {finding["rule"] for finding in approved["findings"]}
     assert pins(new) == after
 
 

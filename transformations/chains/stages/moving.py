@@ -40,7 +40,7 @@ from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.t2m.c_source.parsing.sources import ENDINGS
 
-NOT_APPROVED = "RS347"
+NOT_APPROVED = "RS348"
 
 
 class Moving(Struct):
