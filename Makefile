@@ -11,11 +11,13 @@
 # make mutants   small changes of the product's own code, and how many of them `make check` notices, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
 # make readme  the output, excerpts and pictures of README.md and docs/tutorial.md
-# make rules  the tables of docs/reference/rules.md and plug-ins.md, from the rules' data and the code
+# make rules  the tables of docs/reference/rules.md, plug-ins.md, corpus-schema.md and wiring.md, from the rules' data and the code
 # make floor-plan  the picture of rooms and imports in docs/architecture.md, from the code
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
+# make corpus-check  a small corpus run through all steps that need no simulator, compared with the results that are kept
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
-# make wheel  build the wheel, install it in a clean environment, use it from another folder
+# make docs  the documentation as a site in out/site, built offline, with its links checked
+# make wheel  build the sdist and from it the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
 VENV := .venv
@@ -25,7 +27,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: floor-plan demo check test test-all lint bench ratios evaluate fuzz faults mutants adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: corpus-check docs floor-plan demo check test test-all lint bench ratios evaluate fuzz faults mutants adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -101,18 +103,27 @@ mutants: $(VENV)/.ready
 corpus: $(VENV)/.ready
 	$(BIN)/python -m tests.corpus.fetch out
 
+corpus-check: $(VENV)/.ready
+	$(BIN)/python -m tests.corpus_runs.check
+
 pyecore: $(VENV)/.ready
 	$(BIN)/python -m tests.model.pyecore_contract 0.14.0 0.15.2
 
 wheel:
-	@sh .ci/wheel
+	@PYTHON=$(PYTHON) sh .ci/wheel
 
 rules: $(VENV)/.ready
 	$(BIN)/python -m tests.rules_page
 	$(BIN)/python -m tests.plug_ins_page
+	$(BIN)/python -m tests.corpus_schema_page
+	$(BIN)/python -m tests.wiring_page
 
 floor-plan: $(VENV)/.ready
 	$(BIN)/python -m tests.floor_plan
+
+docs: $(VENV)/.ready
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	$(BIN)/python -m tests.site_pages out/site
 
 readme: $(VENV)/.ready
 	$(BIN)/python tests/readme_tour.py

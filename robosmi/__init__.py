@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from robosmi import corpus as corpus
     from robosmi.api import (
         check_model,
         compile_sketch,
@@ -53,8 +54,12 @@ def __getattr__(name: str) -> Any:
         from importlib import import_module
 
         return getattr(import_module(_PLACES[name]), name)
+    if name == "corpus":
+        from importlib import import_module
+
+        return import_module("robosmi.corpus")
     raise AttributeError(f"module 'robosmi' has no attribute '{name}'")
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    return sorted({*globals(), *__all__, "corpus"})

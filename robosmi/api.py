@@ -372,12 +372,12 @@ def compile_sketch(sketch: str | Path, board: str | None = None, output: str | P
     return compile_into(Path(sketch), board, into=Path(output))
 
 
-def upload_sketch(sketch: str | Path, port: str, **options: Unpack[UploadOptions]) -> UploadReport:
+def upload_sketch(sketch: str | Path, port: str | None = None, **options: Unpack[UploadOptions]) -> UploadReport:
     """Put the compiled program of a sketch on the board at a port.
 
     Args:
         sketch: the output folder, or the sketch's own.
-        port: the serial port, as the system calls it.
+        port: the serial port, as the system calls it, or the folder of the board's drive; None where the tool finds the board.
         **options: see `UploadOptions`.
 
     Returns:

@@ -51,6 +51,10 @@ class SourceError(RobosmiError):
     exit_code = 3
 
 
+class TooLargeError(SourceError):
+    """An input has more of something (calls, parts, tokens) than RoboSMi reads in reasonable time (exit code 3)."""
+
+
 class RuleError(SourceError):
     """A constraint, rule or template of the user's is wrong or raises; the place is its own file and line (exit code 3)."""
 

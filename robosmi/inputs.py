@@ -149,6 +149,16 @@ def read_once() -> Iterator[None]:
             _READ.reset(token)
 
 
+@contextmanager
+def provided(path: str | os.PathLike[str], data: bytes) -> Iterator[None]:
+    """Context manager: a file that is not written yet is read with these bytes; the rest is as with `read_once`."""
+    with read_once():
+        kept = _READ.get()
+        assert kept is not None
+        kept[os.path.abspath(path)] = data
+        yield
+
+
 _CHECK: ContextVar[Callable[[str | os.PathLike[str], bytes], None] | None] = ContextVar("check", default=None)
 
 

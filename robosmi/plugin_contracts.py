@@ -15,11 +15,11 @@ from typing import Any, ClassVar, Literal, Protocol, TypeAlias
 from msgspec import Struct
 
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, RobosmiError, RuleError, did_you_mean
+from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError, did_you_mean
 
 ContentKind: TypeAlias = Literal[
     "chain", "constraints", "device", "drawing reader", "drawing recogniser", "driver", "engine", "generator", "model migration",
-    "parts reader", "program reader", "query", "ranker", "view", "wiring form",
+    "named query", "parts reader", "program reader", "query", "ranker", "view", "wiring form",
 ]  # fmt: skip
 """The name of a kind, as `Registry.add` takes it."""
 
@@ -272,6 +272,36 @@ class QueryContribution(Contribution, frozen=True):
     names = "a word, fixed by the framework (`stack_bound`)"
 
 
+class NamedQueryContribution(Contribution, frozen=True):
+    """A function for queries that are given as text."""
+
+    kind = "named query"
+    description = "a function of models and elements that the expressions of `robosmi query` call by its name"
+    called = "query(...), as the expression calls it"
+    returns = "a value: an element, a number, a text, a Boolean, None, or a collection of values"
+    names = "the name in expressions; a function of `robosmi.query` and a type of the model come before it"
+
+    @classmethod
+    def name_fault(cls, name: str, metamodels: Iterable[str]) -> str | None:
+        """An expression can only name what is an identifier, and not hidden by an underscore."""
+        return None if name.isidentifier() and name[0] != "_" else f"no expression can name '{name}'"
+
+    def __call__(self, *arguments: object, **options: object) -> Any:
+        """What the function returns. Another call than it takes is a mistake of the expression, not of the plug-in.
+
+        Raises:
+            UsageError: it cannot be called with these arguments.
+        """
+        try:
+            return self.function(*arguments, **options)
+        except TypeError as error:
+            if error.__traceback__ is not None and error.__traceback__.tb_next is not None:
+                raise  # out of the function's code
+            raise UsageError(
+                f"{self.name} cannot be called so: {error}", fix=f"write {self.name}{_parameters(self.function)}"
+            ) from error
+
+
 KINDS: Mapping[str, type[Contribution]] = {
     each.kind: each
     for each in (
@@ -290,6 +320,7 @@ KINDS: Mapping[str, type[Contribution]] = {
         DeviceContribution,
         ChainContribution,
         QueryContribution,
+        NamedQueryContribution,
     )
 }
 """Every kind by its name, in the order in which they are listed."""
@@ -332,6 +363,13 @@ def wrong_result(used: ContentFunction, made: object, expected: str, path: Path 
     if isinstance(used, Contribution):
         return used.fault(what, place)
     return InternalError(f"{used!r} {what}", location=place, fix="this is a bug of robosmi: please report it")
+
+
+def _parameters(function: ContentFunction) -> str:
+    """The parameters of a function by their names, such as `(circuit, name)`."""
+    import inspect  # slow to load, and only after a mistake
+
+    return f"({', '.join(inspect.signature(function).parameters)})"
 
 
 def _place(function: object) -> Location | None:

@@ -14,6 +14,7 @@ import sys
 from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.machinery import PathFinder
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -162,7 +163,7 @@ class Registry:
             self._load(target)
         except MissingToolError as error:
             if not any(each.entry_point == target for each in self.broken):
-                self.broken.append(BrokenPlugin(distribution, target, f"{type(error.__cause__).__name__}: {error.__cause__}"))
+                self.broken.append(BrokenPlugin(distribution, target, _said(error.__cause__)))
             return False
         return True
 
@@ -221,7 +222,8 @@ class Registry:
             return getattr(importlib.import_module(module), attribute)
         except (Exception, SystemExit) as error:
             raise MissingToolError(
-                f"'{target}' of the plug-in {distribution} cannot be loaded: {type(error).__name__}: {error}",
+                f"'{target}' of the plug-in {distribution} cannot be loaded: {_said(error)}",
+                location=_place_of_syntax(error),
                 fix=f"mend, update or uninstall {distribution.partition(' ')[0]}",
             ) from error
 
@@ -265,7 +267,7 @@ def registry() -> Registry:
             fill: Callable[[Registry], None] = point.load()
             fill(offered)
         except (Exception, SystemExit) as error:
-            result.broken.append(BrokenPlugin(distribution, value, f"{type(error).__name__}: {error}"))
+            result.broken.append(BrokenPlugin(distribution, value, _said(error)))
         else:
             result.take(offered, distribution)
     return result
@@ -308,8 +310,14 @@ def _offers(path: str) -> bool:
     return any(line.partition("=")[2].strip() != BUILT_IN for line in section.splitlines() if "=" in line)
 
 
-def unloadable(error: BaseException) -> MissingToolError | None:
-    """The error for a package that is not ours and cannot be loaded, whatever it raised; None for any other exception."""
+def unloadable(error: BaseException) -> MissingToolError | RuleError | None:
+    """The error for a package that cannot be loaded, whatever it raised; None for any other exception.
+
+    Of our own package this is a file with a syntax error, in the checkout of somebody who changes it.
+    """
+    place = _place_of_syntax(error)
+    if isinstance(error, SyntaxError) and place is not None and _of_checkout(place.path):
+        return RuleError(_said(error, named=False), location=place, fix="correct the line")
     if isinstance(error, ImportError) and error.name:
         foreign = not is_own(error.name) and (error.__traceback__ is None or _came_of_an_import(error))
     elif isinstance(error, AttributeError) and isinstance(error.obj, ModuleType):
@@ -318,10 +326,33 @@ def unloadable(error: BaseException) -> MissingToolError | None:
         foreign = _came_of_an_import(error)
     if not foreign:
         return None
-    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else f"{type(error).__name__}: {error}"
+    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else _said(error)
     return MissingToolError(
         f"a package that robosmi needs cannot be loaded: {cause}",
         fix="install robosmi again in a fresh environment (robosmi doctor says what is there)",
+    )
+
+
+def _said(error: BaseException | None, named: bool = True) -> str:
+    """An exception as text; of a syntax error with its whole path, if `named`, where Python has the name alone."""
+    text = error.msg if isinstance(error, SyntaxError) else str(error)
+    place = _place_of_syntax(error) if named else None
+    return f"{type(error).__name__}: {text}{f' ({place.path}, line {place.line})' if place is not None else ''}"
+
+
+def _place_of_syntax(error: BaseException | None) -> Location | None:
+    if not isinstance(error, SyntaxError) or not error.filename:
+        return None
+    return Location(error.filename, error.lineno, error.offset)
+
+
+def _of_checkout(file: str) -> bool:
+    """Whether a file is one of a source checkout of this package, which somebody may be writing; an installed one is damaged."""
+    import robosmi
+
+    path = Path(file)
+    return (
+        path.is_absolute() and "site-packages" not in path.parts and any(path.is_relative_to(root) for root in robosmi.__path__)
     )
 
 

@@ -57,7 +57,8 @@ class Project(Struct, frozen=True):
         source_board: the board that the program runs on today, or None.
         ranker: the name of the ranker of libraries, or None.
         libraries: component (title or `#model_index`) -> library.
-        bind: port of the source -> target pin or mapping.
+        bind: port of the source -> target pin or mapping; the entries of a table in [bind], such as [bind.TARGET], have its name
+            and a point before theirs.
         roles: component -> role.
         servos: component, or role of a port -> what was measured of its servo.
         severity: rule -> level.
@@ -206,13 +207,18 @@ def _table(path: Path, data: dict[str, Json], name: str, text: str) -> dict[str,
 
 
 def _bind(path: Path, data: dict[str, Json], text: str) -> dict[str, str]:
-    """[bind], in which TOML takes a key with a point in it, such as a role of a library, for a table."""
+    """[bind] without tables in it: TOML takes a key with a point in it, such as a role of a library, for one, too."""
     table = data.get("bind", {})
-    if isinstance(table, dict):
-        inner = {key: value for key, value in table.items() if isinstance(value, dict)}
-        flat = {f"{key}.{name}": value for key, values in inner.items() for name, value in values.items()}
-        data = {**data, "bind": {**{key: value for key, value in table.items() if key not in inner}, **flat}}
-    return _table(path, data, "bind", text)
+    return _table(path, {**data, "bind": _flat(table) if isinstance(table, dict) else table}, "bind", text)
+
+
+def _flat(table: Mapping[str, Json]) -> dict[str, Json]:
+    """The entries of a table and of those in it, with their names joined by points."""
+    made: dict[str, Json] = {}
+    for key, value in table.items():
+        inner = {f"{key}.{name}": entry for name, entry in _flat(value).items()} if isinstance(value, dict) else {key: value}
+        made |= inner
+    return made
 
 
 def _servos(path: Path, data: dict[str, Json], text: str) -> dict[str, ServoTrim]:
@@ -267,18 +273,20 @@ _ENTRY = re.compile(rf"\s*({_KEY})\s*=")
 
 
 def _lines_of(table: str, text: str) -> dict[str, int]:
-    """The lines in which the entries of a table, or the tables in it, begin; without those that are not written as such."""
+    """The lines in which the entries of a table, or the tables in it and theirs, begin; without those that are not written as
+    such.
+    """
     found: dict[str, int] = {}
-    inside = False
+    inside, before = False, ""
     for number, line in enumerate(text.splitlines(), 1):
         if (head := _HEAD.match(line)) is not None:
-            inside = head[1] == table and not head[2]
-            if head[1] == table and head[2]:
-                found.setdefault(head[2].strip("\"'"), number)
+            inside, before = head[1] == table, f"{name}." if (name := (head[2] or "").strip("\"'")) else ""
+            if inside and name:
+                found.setdefault(name, number)
         elif line.lstrip().startswith("["):
             inside = False
         elif inside and (entry := _ENTRY.match(line)) is not None:
-            found.setdefault(entry[1].strip("\"'"), number)
+            found.setdefault(before + entry[1].strip("\"'"), number)
     return found
 
 

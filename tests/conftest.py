@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests import tiers, written_models_judge
+from tests.copies import Copies
 
 ROOT = Path(__file__).resolve().parents[1]
 BYTECODE = ROOT / ".pytest_cache" / "bytecode"
@@ -52,6 +53,12 @@ def _own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
     monkeypatch.setenv("ROBOSMI_HISTORY", str(folder / "history.sqlite"))
     if "ROBOSMI_NPM" not in os.environ:
         monkeypatch.setenv("ROBOSMI_NPM", str(ROOT / ".npm"))
+
+
+@pytest.fixture(scope="session")
+def copies(tmp_path_factory: pytest.TempPathFactory) -> Copies:
+    """Folders that are filled once for all tests of this process."""
+    return Copies(tmp_path_factory.mktemp("copies"))
 
 
 @pytest.fixture

@@ -10,6 +10,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
+
+from tests.running import run
+
 Words = list[str | Path]
 
 
@@ -217,6 +221,35 @@ PROGRAMS: dict[str, tuple[Callable[[int], str], int]] = {
         ),
         2000,
     ),
+    "values of one variable": (
+        lambda n: "int main(void) { int u;\n" + "u = input(2); freqout(4, 5, u);\n" * n + "}\n",
+        3000,
+    ),
+    "values that go round": (
+        lambda n: (
+            "int main(void) { int x = 3, y;\n"
+            + "x = y; y = x;\n" * n
+            + "".join(f"int z{i}; z{i} = x; pause(z{i});\n" for i in range(n))
+            + "}\n"
+        ),
+        1500,
+    ),
+    "masks of masks": (
+        lambda n: (
+            "int main(void) { int x0 = input(3) & 7;\n"
+            + "".join(f"int x{i}; x{i} = x{i - 1} | x{i - 1}; x{i} = x{i - 1};\n" for i in range(1, n))
+            + f"OUTA |= x{n - 1}; OUTA &= ~x{n - 1}; OUTA |= 1 << x{n - 1}; }}\n"
+        ),
+        1700,
+    ),
+    "masks that go round": (
+        lambda n: (
+            f"int main(void) {{ int x{n - 1}, x0 = 3; x0 = x{n - 1};\n"
+            + "".join(f"int x{i}; x{i} = x{i - 1} ? x{i - 1} : x{i - 1}; x{i} = x{i - 1};\n" for i in range(1, n - 1))
+            + f"x{n - 1} = x{n - 2}; OUTA |= x{n - 1}; OUTA &= ~x{n - 1}; pause(x{n - 1}); }}\n"
+        ),
+        1500,
+    ),
     "products": (
         lambda n: "int f(int x) {" + "".join(f"x = x * {i} + (x << 3);\n" for i in range(n)) + " return x; }\n" + _MAIN,
         3000,
@@ -230,6 +263,27 @@ def _analyse(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
 
 def _migrate(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
     return lambda folder, n: ["migrate", program(folder, text(n)), "-o", folder / "out"]
+
+
+def _stored(text: Callable[[int], str], folder: Path, n: int) -> Path:
+    """The output folder of a migrated program; what this costs is not measured."""
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setenv("ROBOSMI_HOME", str(folder / "home"))
+        outcome = run("migrate", program(folder, text(n)), "-o", folder / "out")
+    assert outcome.code in (0, 1), outcome.err
+    return folder / "out"
+
+
+def _generate(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
+    return lambda folder, n: ["generate", _stored(text, folder, n) / "models" / "plan.xmi", "-o", folder / "again"]
+
+
+def _compile(text: Callable[[int], str]) -> Callable[[Path, int], Words]:
+    return lambda folder, n: ["compile", _stored(text, folder, n)]
+
+
+STORED = ("calls", "functions", "globals that are ports", "local variables", "elements of an array", "values of one variable")
+"""Programs whose stored plans are generated from, and compiled."""
 
 
 def _headers(folder: Path, n: int) -> Words:
@@ -439,6 +493,8 @@ OTHERS: dict[str, tuple[Callable[[Path, int], Words], int]] = {
 FAMILIES: tuple[Growing, ...] = (
     *(Growing(f"{name}: analyse", _analyse(text), n) for name, (text, n) in PROGRAMS.items()),
     *(Growing(f"{name}: migrate", _migrate(text), n) for name, (text, n) in PROGRAMS.items()),
+    *(Growing(f"{name}: generate", _generate(PROGRAMS[name][0]), PROGRAMS[name][1]) for name in STORED),
+    *(Growing(f"{name}: compile", _compile(PROGRAMS[name][0]), PROGRAMS[name][1]) for name in STORED),
     *(
         Growing(f"{name}: {command}", _drawn(parts, command), n)
         for name, (parts, n) in DRAWINGS.items()

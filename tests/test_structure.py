@@ -39,7 +39,21 @@ ABOVE: dict[str, tuple[str, ...]] = {
     "verify": ("generate", "validate", "transform", "query", "model", *LOW),
     "recommend": ("generate", "validate", "transform", "query", "model", *LOW),
     "chain": ("generate", "validate", "transform", "query", "model", *LOW),
-    "cli": ("api", "chain", "report", "verify", "recommend", "generate", "validate", "transform", "query", "model", *LOW),
+    "corpus": ("query", "model", *LOW),
+    "cli": (
+        "api",
+        "corpus",
+        "chain",
+        "report",
+        "verify",
+        "recommend",
+        "generate",
+        "validate",
+        "transform",
+        "query",
+        "model",
+        *LOW,
+    ),
 }
 """Room of the framework -> the rooms that it may import (and itself). The foundation's own arrows are a test below."""
 
@@ -403,6 +417,9 @@ OPENS: dict[str, str] = {
     "robosmi/files/sqlite_files.py": "changes bytes of the file that it has just written",
     "robosmi/base/file_locks.py": "opens files and folders to lock them, and reads nothing by it",
     "robosmi/verify/uploads/serial_ports.py": "opens serial ports, which are no files to be read",
+    "robosmi/verify/uploads/drives.py": "writes to the drive of a board, which takes no file under another name",
+    "robosmi/corpus/export.py": "writes",
+    "robosmi/corpus/worker.py": "hands on its own output, which it has before a library can print there",
     "robosmi/files/zip_archive.py": "reads an archive that is in memory",
     "transformations/t2m/fritzing/drawing_model.py": "writes an archive in memory",
 }

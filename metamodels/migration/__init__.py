@@ -132,6 +132,15 @@ if TYPE_CHECKING:
         write: ClassVar[Signal]
         bus: ClassVar[Signal]
 
+    class ChangeKind(EnumLiteral):
+        """What became of a choice when the program was moved to another board."""
+
+        kept: ClassVar[ChangeKind]
+        proposed: ClassVar[ChangeKind]
+        decided: ClassVar[ChangeKind]
+        open: ClassVar[ChangeKind]
+        lost: ClassVar[ChangeKind]
+
 else:
     ChosenBy = enumeration(
         "ChosenBy",
@@ -164,6 +173,10 @@ else:
     ProgramStructure = enumeration("ProgramStructure", {"loopForever": 0, "runOnce": 1})
     Widths = enumeration("Widths", {"keep": 0, "fix": 1})
     Signal = enumeration("Signal", {"read": 0, "write": 1, "bus": 2})
+    ChangeKind = enumeration(
+        "ChangeKind",
+        {"kept": 0, "proposed": 1, "decided": 2, "open": 3, "lost": 4},
+    )
 
 
 class MigrationPlan(Element, metaclass=MetaEClass):
@@ -189,6 +202,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """The target board."""
     boardComponent: Component | None = EReference()
     """The board in the drawing."""
+    move: Move | None = EReference(containment=True)
+    """What changed since the plan for another board from which this one was made; none if it was made from the sources alone."""
     inputs: MutableSequence[Input] = EReference(upper=-1, containment=True)
     """The input files of the plan."""
     dispositions: MutableSequence[Disposition] = EReference(upper=-1, containment=True)
@@ -251,6 +266,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             targetDescription: Target | None = None,
             board: Board | None = None,
             boardComponent: Component | None = None,
+            move: Move | None = None,
             inputs: Iterable[Input] | None = None,
             dispositions: Iterable[Disposition] | None = None,
             connections: Iterable[Connection] | None = None,
@@ -271,6 +287,57 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             build: Build | None = None,
             trace: Trace | None = None,
             bench: bool | None = None,
+        ) -> None: ...
+
+
+class Move(Element, metaclass=MetaEClass):
+    """The changes between a plan for one board and the plan made from it for another."""
+
+    target: str | None = EAttribute(eType=EString)
+    """Name of the other plan's target."""
+    board: str = EAttribute(eType=EString, default_value="")
+    """Title of the other plan's board."""
+    pinsProposed: bool = EAttribute(eType=EBoolean, default_value=False)
+    """Whether the pins come from a proposed pin table that nobody has approved yet."""
+    changes: MutableSequence[PlanChange] = EReference(upper=-1, containment=True)
+    """The choices, ports first."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            target: str | None = None,
+            board: str | None = None,
+            pinsProposed: bool | None = None,
+            changes: Iterable[PlanChange] | None = None,
+        ) -> None: ...
+
+
+class PlanChange(Element, metaclass=MetaEClass):
+    """What became of one choice when the program was moved to another board."""
+
+    kind: ChangeKind = EAttribute(eType=ChangeKind)
+    """What became of it."""
+    subject: str | None = EAttribute(eType=EString)
+    """What the choice is about: the name of a port, the title of a component."""
+    before: str = EAttribute(eType=EString, default_value="")
+    """What was chosen for the other board, with its pin; empty if nothing was."""
+    after: str = EAttribute(eType=EString, default_value="")
+    """What is chosen for this board, with its pin; empty if nothing is."""
+    why: str = EAttribute(eType=EString, default_value="")
+    """Why it does not fit, or who has chosen it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            kind: ChangeKind | None = None,
+            subject: str | None = None,
+            before: str | None = None,
+            after: str | None = None,
+            why: str | None = None,
         ) -> None: ...
 
 
@@ -1045,6 +1112,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.targetDescription.eType = Target
     MigrationPlan.board.eType = Board
     MigrationPlan.boardComponent.eType = Component
+    MigrationPlan.move.eType = Move
     MigrationPlan.inputs.eType = Input
     MigrationPlan.dispositions.eType = Disposition
     MigrationPlan.connections.eType = Connection
@@ -1063,6 +1131,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.findings.eType = PlanFinding
     MigrationPlan.build.eType = Build
     MigrationPlan.trace.eType = Trace
+    Move.changes.eType = PlanChange
     Decision.options.eType = Option
     Decision.changes.eType = TextChange
     Disposition.element.eType = Located
@@ -1116,3 +1185,4 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     classifier(__name__, ProgramStructure)
     classifier(__name__, Widths)
     classifier(__name__, Signal)
+    classifier(__name__, ChangeKind)

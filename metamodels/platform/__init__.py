@@ -925,7 +925,7 @@ class Board(Element, metaclass=MetaEClass):
 
 
 class BootLoader(Element, metaclass=MetaEClass):
-    """The boot loader of a board, which receives programs over the serial line."""
+    """The boot loader of a board, which receives programs."""
 
     programmer: str = EAttribute(eType=EString, lower=1)
     """The upload tool's name of its protocol."""
@@ -935,6 +935,8 @@ class BootLoader(Element, metaclass=MetaEClass):
     """The greatest program size in bytes that it accepts."""
     touchBaud: int = EAttribute(eType=EInt)
     """Baud rate at which opening and closing the port starts it; 0 if a reset does."""
+    tool: str = EAttribute(eType=EString, default_value="")
+    """Name of the uploader that sends programs to it, empty for the toolchain's."""
 
     if TYPE_CHECKING:
 
@@ -945,6 +947,7 @@ class BootLoader(Element, metaclass=MetaEClass):
             bauds: Iterable[int] | None = None,
             bytes: int | None = None,
             touchBaud: int | None = None,
+            tool: str | None = None,
         ) -> None: ...
 
 

@@ -16,6 +16,7 @@ from pathlib import Path, PurePath
 from robosmi import inputs
 from robosmi.base import user_folders
 from robosmi.base.data_text import json_of, json_written
+from robosmi.base.user_cache import read_own, write_own
 from robosmi.base.user_folders import OWN
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -83,9 +84,7 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
     place = _place(own)
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
-        beside = place.with_name(f"{place.name}.{os.getpid()}")
-        beside.write_text(json_written(files, sort_keys=True), encoding="utf-8")
-        os.replace(beside, place)
+        write_own(place, json_written(files, sort_keys=True))
     except OSError as error:
         message = f"the trust cannot be saved: {error.strerror or error}"
         raise SourceError(message, location=Location(str(place)), fix="set ROBOSMI_HOME to a folder of your own") from error
@@ -172,9 +171,9 @@ def _refused(folder: Path, files: list[str], known: bool) -> SourceError:
 
 
 def _noted(folder: Path) -> dict[str, str]:
-    """What was trusted of a folder: relative path -> SHA-256; nothing where the note is not there or is damaged."""
+    """What was trusted of a folder: relative path -> SHA-256; nothing where no note of this user is there, or it is damaged."""
     try:
-        noted = json_of(read_bytes(_place(folder), RECORD).decode())
+        noted = json_of(read_own(_place(folder), RECORD).decode())
     except (OSError, ValueError):
         return {}
     return noted if isinstance(noted, dict) else {}

@@ -8,11 +8,13 @@ everything that the result depends on.
 from __future__ import annotations
 
 import atexit
+import errno
 import hashlib
 import os
 import stat
 import sys
 import tempfile
+import threading
 import zlib
 from contextlib import suppress
 from importlib.util import find_spec
@@ -22,7 +24,9 @@ from typing import Generic, TypeVar
 import msgspec
 
 import robosmi
+from robosmi import inputs
 from robosmi.base.user_folders import cache_dir
+from robosmi.inputs import Kind
 
 T = TypeVar("T")
 
@@ -42,6 +46,34 @@ def read_cached(name: str) -> bytes | None:
         if _is_ours(os.fstat(file.fileno())):
             return file.read()
     return None
+
+
+def read_own(path: Path, kind: Kind) -> bytes:
+    """The content of a file that says what this user has done or allowed.
+
+    Args:
+        path: the file.
+        kind: what it is, which says how many bytes it may have.
+
+    Raises:
+        OSError: it is not there, cannot be read, or another user could have written it.
+    """
+    with inputs.open_file(path, follow=False) as file:
+        if not _is_ours(os.fstat(file.fileno())):
+            raise PermissionError(errno.EPERM, "another user could have written it", str(path))
+        return file.read(kind.most)
+
+
+def write_own(path: Path, text: str) -> None:
+    """Replace a file that says what this user has done or allowed, in a folder that is there.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    beside = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}")
+    beside.touch(mode=0o600)
+    beside.write_text(text, encoding="utf-8")
+    os.replace(beside, path)
 
 
 def is_own(path: Path) -> bool:

@@ -22,6 +22,7 @@ from msgspec import Struct
 
 import robosmi
 from robosmi import inputs
+from robosmi.base.quantities import quantity
 from robosmi.chain.graph import Dependencies
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from, same_value
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
@@ -74,7 +75,7 @@ class ChainResult(Struct):
             wrote = f"  {len(r.written)} written" if r.written else ""
             wrote += f"  {len(r.removed)} removed" if r.removed else ""
             wrote += f"  {len(r.fixed)} fixed" if r.fixed else ""
-            wrote += f"  {len(r.findings)} findings" if r.findings else ""
+            wrote += f"  {quantity(len(r.findings), 'finding')}" if r.findings else ""
             lines.append(f"{r.state:11} {r.step.kind:9} {r.step.name:{wide}} {r.seconds * 1000:8.1f} ms{wrote}")
         return "\n".join(lines)
 

@@ -41,8 +41,10 @@ from robosmi.errors import (
     RuleError,
     SourceError,
     StoppedError,
+    TooLargeError,
     UploadError,
     UsageError,
+    VerificationError,
     did_you_mean,
 )
 from robosmi.inputs import fix_of
@@ -78,6 +80,7 @@ GROUPS = {
     "models": {
         "query": "query a model of any technology",
         "run": "run the steps of a chain that have changed",
+        "corpus": "run many programs and collect their results in tables",
         "metamodels": "export the metamodels, or generate Python packages from one",
     },
     "data": {
@@ -105,12 +108,14 @@ FIRST_COMMANDS = ("demo", "migrate", "open", "verify", "doctor")
 ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
     (UsageError, "RS901"),
     (ModelError, "RS907"),
+    (TooLargeError, "RS912"),
     (SourceError, "RS902"),
     (PlatformDataError, "RS903"),
     (MissingToolError, "RS904"),
     (StoppedError, "RS905"),
     (CompileError, "RS906"),
     (UploadError, "RS909"),
+    (VerificationError, "RS913"),
     (RobosmiError, "RS970"),
 )
 
@@ -283,7 +288,7 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
         with suppress(SourceError):  # the message below has to do
             _print_json(document)
     place = f"{error.location}: " if error.location else ""
-    streams.complain(_lines(f"robosmi: error: {place}{error.message}"))
+    streams.complain(_lines(f"robosmi: error: {place}{error.message} [{rule}]"))
     if error.fix:
         streams.complain(_lines(f"  do: {error.fix}"))
     for each in plugins:
@@ -327,6 +332,7 @@ EXAMPLES = {
     "adapters": "robosmi adapters save out --as project",
     "history": "robosmi history export choices.csv",
     "libraries": "robosmi libraries import installed/libraries",
+    "corpus": "robosmi corpus run corpus.toml -o results --steps analyse,migrate",
     "run": "robosmi run chain.toml --dry-run",
     "query": 'robosmi query out/models/plan.xmi "PortBinding.all.select(lambda b: b.open).name"',
     "parts": "robosmi parts import parts-folder",

@@ -18,6 +18,7 @@ from pathlib import Path
 
 from robosmi import resources
 from robosmi.base.file_locks import lock_now, unlock
+from robosmi.base.user_cache import read_own, write_own
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.inputs import OUTPUT, RECORD, flags, read_text
@@ -108,7 +109,7 @@ def bind(folder: Path, journal: bytes) -> None:
 def is_bound(folder: Path, journal: bytes) -> bool:
     """Whether a run of this user has made that journal for that folder, where the folder is now."""
     try:
-        noted = read_text(_place(os.path.realpath(folder), "journal"), RECORD)
+        noted = read_own(_place(os.path.realpath(folder), "journal"), RECORD).decode()
     except (OSError, ValueError):
         return False
     return noted == hashlib.sha256(journal).hexdigest()
@@ -135,7 +136,7 @@ def note(path: Path, *versions: bytes) -> None:
 def is_noted(path: Path, data: bytes) -> bool:
     """Whether a run of this user has written these bytes into that file, where the file is now."""
     try:
-        noted = read_text(_record_of(path), RECORD)
+        noted = read_own(_record_of(path), RECORD).decode()
     except (OSError, ValueError):
         return False
     return hashlib.sha256(data).hexdigest() in noted.split()
@@ -169,10 +170,10 @@ def stored(folder: Path, what: str) -> str:
     """What `store` kept of an output folder that is where it was then.
 
     Raises:
-        OSError: nothing was kept, or it cannot be read.
+        OSError: nothing was kept by this user, or it cannot be read.
         ValueError: it is no text.
     """
-    return read_text(place_of(folder, what), _KEPT[what])
+    return read_own(place_of(folder, what), _KEPT[what]).decode()
 
 
 def discard(folder: Path, what: str) -> None:
@@ -219,9 +220,7 @@ def _record_of(path: Path) -> Path:
 
 def _store(path: Path, text: str) -> None:
     try:
-        beside = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}")
-        beside.write_text(text, encoding="utf-8")
-        os.replace(beside, path)
+        write_own(path, text)
     except OSError as error:
         raise _no_place(path, error) from error
 

@@ -28,6 +28,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, RuleError, SourceError
 from robosmi.files.recovery import at_work
@@ -419,7 +420,7 @@ def variable_of(function: Function, has_elements: bool) -> str:
     if len(names) != int(has_elements):
         wanted = "exactly one, the element" if has_elements else "none, since the rule has no type"
         raise RuleError(
-            f"the function of the rule {called(function)} has {len(names)} parameters",
+            f"the function of the rule {called(function)} has {quantity(len(names), 'parameter')}",
             location=place_of(function),
             fix=f"give it {wanted}",
         )

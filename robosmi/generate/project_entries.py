@@ -24,7 +24,7 @@ from robosmi.files.external_files import ExternalFiles
 from robosmi.project import FILE_NAME, load_project, project_in
 
 Entries = Mapping[str, Mapping[str, str | None]]
-"""Table -> key -> value; None takes the key out."""
+"""Table -> key -> value; None takes the key out. A table in another one has the name of that one and a point before its own."""
 
 
 class ProjectChange(Struct, frozen=True):
@@ -51,7 +51,7 @@ def added_to_project(folder: Path, entries: Mapping[str, Mapping[str, str]]) -> 
     """
     path = folder / FILE_NAME
     before = _values(_text(path), path)
-    new = {t: {k: v for k, v in values.items() if _held(before.get(t, {}), k) is None} for t, values in entries.items()}
+    new = {t: {k: v for k, v in values.items() if _held(_table_of(before, t), k) is None} for t, values in entries.items()}
     return changed_project(folder, new)
 
 
@@ -109,10 +109,13 @@ def with_entries(text: str, table: str, entries: Mapping[str, str | None]) -> st
     crlf = "\r\n" in text
     text += "" if not text or text.endswith("\n") else "\n"
     document = tomlkit.parse(text.replace("\r\n", "\n") if crlf else text)
-    if table not in document:
-        document[table] = tomlkit.table()
+    inside: Any = document
+    for name in _names(table):
+        if name not in inside:
+            inside[name] = tomlkit.table()
+        inside = inside[name]
     for key, value in entries.items():
-        holder, own = _place(document[table], key)
+        holder, own = _place(inside, key)
         if value is not None:
             holder[own] = value
         elif own in holder:
@@ -135,8 +138,22 @@ def key_of(path: Path, table: str, names: tuple[str, ...], otherwise: str) -> st
         names: what it may be called.
         otherwise: the key where the file does not speak of it.
     """
-    known = _values(_text(path), path).get(table, {})
+    known = _table_of(_values(_text(path), path), table)
     return next((name for name in names if _held(known, name) is not None), otherwise)
+
+
+def _names(table: str) -> list[str]:
+    """The names of a table and of the one that it is in."""
+    head, point, rest = table.partition(".")
+    return [head, rest] if point else [head]
+
+
+def _table_of(values: Mapping[str, Any], table: str) -> Any:
+    """A table of a file; an empty one where it has none."""
+    found: Any = values
+    for name in _names(table):
+        found = found.get(name, {}) if isinstance(found, Mapping) else {}
+    return found
 
 
 def _place(table: Any, key: str) -> tuple[MutableMapping[str, Any], str]:
@@ -162,12 +179,15 @@ def _meant(before: dict[str, Any], entries: Entries) -> dict[str, Any]:
     for table, values in entries.items():
         if not values:
             continue
-        made.setdefault(table, {})
+        inside = made
+        for name in _names(table):
+            inside[name] = dict(inside.get(name, {}))
+            inside = inside[name]
         for key, value in values.items():
             head = key.partition(".")[0]
-            holder, own = _place(made[table], key)
-            if holder is not made[table]:
-                holder = made[table][head] = dict(made[table][head])
+            holder, own = _place(inside, key)
+            if holder is not inside:
+                holder = inside[head] = dict(inside[head])
             if value is None:
                 holder.pop(own, None)
             else:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from robosmi import resources
+from robosmi.base.quantities import quantity
 from robosmi.model.ecore.ecore_loader import GENMODEL
 from robosmi.model.elements.ecore import EClass, EModelElement, EPackage
 
@@ -68,7 +69,7 @@ def readme() -> str:
         package = ResourceSet().get_resource(URI(str(folder / f"{name}.ecore"))).contents[0]
         classes = [c for c in package.eClassifiers if hasattr(c, "eReferences")]
         features = sum(len(c.eStructuralFeatures) for c in classes)
-        counted = f"{len(classes)} classes, {features} features"
+        counted = f"{quantity(len(classes), 'class', 'classes')}, {quantity(features, 'feature')}"
         parts.append(
             f"## {name}\n\n{documentation(package)}\n\nNamespace `{package.nsURI}`, {counted}.\n\n"
             f"```mermaid\n{to_mermaid(package)}\n```\n"

@@ -148,7 +148,8 @@ class EmfModel(TypedModel):
         References into other files lead there again, seen from the new place: into files that were read with the model, and into
         all models that have a path. So does xsi:schemaLocation, where the file had one. Other files are not written, even where
         their elements have changed (`Session.save_all`). What did not change keeps its layout, with comments and parts of other
-        namespaces; where comments cannot stay, the old file is kept as NAME.orig.
+        namespaces; where comments cannot stay, the old file is kept as NAME.orig. Saved elsewhere, a model whose file has
+        neither is as EMF writes it.
 
         Args:
             path: the file; the one it was read from if None.

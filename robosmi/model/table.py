@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
 from robosmi.model.elements.driver import Model, ModelElement, name_of
@@ -213,7 +214,7 @@ def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
             if table is None:
                 table = _table(path, cells, types)
             elif cells and len(cells) != len(table.columns):
-                problems.append(f"line {where} has {len(cells)} cells instead of {len(table.columns)}")
+                problems.append(f"line {where} has {quantity(len(cells), 'cell')} instead of {len(table.columns)}")
             elif cells:
                 table.rows.append(table.kind(table, _values(table, cells, where, problems)))
             where = reader.line_num + 1 + skipped

@@ -16,9 +16,10 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from datetime import date
 from decimal import Decimal
+from functools import partial
 from pathlib import Path
 from types import BuiltinMethodType, CodeType, FunctionType, MethodType
 from typing import Any, Never, NoReturn
@@ -28,6 +29,8 @@ from robosmi.model.elements.containment_order import ORDERED_FEATURES, EmfOperat
 from robosmi.model.elements.driver import Model, ModelElement, TypeHandle
 from robosmi.model.elements.ecore import ECollection, EObject
 from robosmi.model.elements.reachable import is_resource, of_models
+from robosmi.plugin_contracts import KINDS, wrong_result
+from robosmi.plugins import raised_by, registry
 from robosmi.query import any_operations, collections, extents, models, numbers, operations, operators, properties, strings, types
 from robosmi.query.collections import Lazy
 from robosmi.query.first_order import FIRST_ORDER
@@ -301,7 +304,12 @@ NAMES: dict[str, Any] = {
 """What an expression may call besides the types of its models."""
 
 
-def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any] = lambda value: value) -> Any:
+def evaluate(
+    expression: str,
+    given: Iterable[Model],
+    then: Callable[[Any], Any] = lambda value: value,
+    named: Mapping[str, Callable[..., Any]] | None = None,
+) -> Any:
     """The value of an expression.
 
     Args:
@@ -309,14 +317,17 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
         given: the models, known by their names; their types by simple names, the first model's first. A type comes before a
             function of the same name.
         then: what is made of the value. A value may be lazy, so the expression can fail here too.
+        named: more functions that the expression may call, by name (`named_queries`).
 
     Raises:
         UsageError: it is no expression, uses what is not allowed, or fails.
+        RuleError: a plug-in's named query fails.
         ModelError: it names a type, property or operation that there is not.
     """
     views = [LookedAt(model.model if isinstance(model, models.ModelView) else model, name=model.name) for model in given]
     tree = _checked(expression)
-    known = NAMES | {view.name: view for view in views}
+    functions = dict(named or {}) | NAMES
+    known = functions | {view.name: view for view in views}
     bound = {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)} | {
         node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
     }
@@ -336,13 +347,32 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
     code = compile(_guarded(tree), "<expression>", "eval")
     try:
         with Run(*views, closed=CLOSED):
-            return then(eval(code, {"__builtins__": {}, **_GUARDS, _CALL: Caller(NAMES, code), **known}))
+            return then(eval(code, {"__builtins__": {}, **_GUARDS, _CALL: Caller(functions, code), **known}))
     except RobosmiError:
         raise
     except RecursionError as error:
         raise UsageError("the expression calls itself too often", fix="use closure") from error
     except Exception as error:  # whatever the expression does wrong
+        if (blamed := raised_by(error)) is not None:
+            raise blamed from error
         raise UsageError(f"the expression fails: {type(error).__name__}: {error}", fix="see docs/reference/eol.md") from error
+
+
+def named_queries() -> dict[str, Callable[..., Any]]:
+    """The registered functions for `evaluate`, by name (kind `named query`); each is loaded by its first call."""
+    return {name: partial(_answer, name) for name in registry().names("named query")}
+
+
+def _answer(name: str, /, *arguments: Any, **options: Any) -> Any:
+    query = KINDS["named query"](registry().get("named query", name), name, registry().owner("named query", name))
+    made = query(*arguments, **options)
+    if isinstance(made, Iterator):
+        made = list(made)
+    if made is not None and not isinstance(made, _READABLE):
+        raise wrong_result(query, made, query.returns)
+    if isinstance(made, (list, tuple)) and type(made) in (list, tuple):  # a subclass has operations of its own
+        return collections.Q(made)
+    return made
 
 
 def _few(names: list[str]) -> str:

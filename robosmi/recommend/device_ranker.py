@@ -12,7 +12,9 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import UsageError
+from robosmi.recommend.architectures import ArchitectureFacts, Support
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.decision import DecisionModel, features
 from robosmi.recommend.evidence import Evidence, EvidenceFinder
@@ -57,6 +59,7 @@ class Knowledge(Struct, frozen=True, eq=False):
         usual: name of a device (as `words.plain` writes it) -> names of the libraries that are usual for it.
         model: coefficients of the decision.
         exact: whether model numbers and trade names of the lexicon count (False only to measure what they add).
+        architectures: on which architectures libraries work, beyond what they declare.
     """
 
     stop: StopWords
@@ -64,6 +67,7 @@ class Knowledge(Struct, frozen=True, eq=False):
     usual: Mapping[str, Sequence[str]]
     model: DecisionModel
     exact: bool = True
+    architectures: ArchitectureFacts = ArchitectureFacts()
 
 
 class DeviceRanker:
@@ -84,8 +88,14 @@ class DeviceRanker:
         self._weighed: dict[tuple[object, ...], tuple[PartWords, list[tuple[float, Evidence]]]] = {}
         self.libraries = numbers = {name: number for number, name in enumerate(index.names())}
         self._usual = {
-            device: [numbers[name] for name in libraries if name in numbers] for device, libraries in knowledge.usual.items()
+            device: list(dict.fromkeys(numbers[name] for name in map(self._replaced, libraries) if name in numbers))
+            for device, libraries in knowledge.usual.items()
         }
+
+    def _replaced(self, library: str) -> str:
+        """The library that takes the place of another one on the target's architecture; the other one itself if none does."""
+        found = self.knowledge.architectures.replacement(library, self.architecture)
+        return found.library if found is not None else library
 
     def rank(self, query: ComponentQuery, history: Choices | None = None, limit: int | None = None) -> Recommendation:
         """See `ranking.Ranker.rank`. Candidates are listed whatever the decision.
@@ -99,6 +109,8 @@ class DeviceRanker:
         decision, confidence = self.knowledge.model.decide(self.features(query, part, ranked))
         if self.knowledge.lexicon is not None and not part.devices:
             confidence = min(confidence, UNKNOWN)
+        if decision == "library" and ranked and not self._suits(self.index.library(ranked[0][1].library)):
+            confidence = min(confidence, UNKNOWN)  # no rule chooses what cannot work
         first = self._why(part, decision)
         candidates = [self._candidate(part, score, entry, first) for score, entry in ranked[:limit]]
         if history is not None:
@@ -156,10 +168,8 @@ class DeviceRanker:
         return frozenset(name for number, name in enumerate(INTERFACES) if bits >> number & 1)
 
     def _suits(self, library: Library) -> bool:
-        """Whether a library supports the target's architecture; one that names none has no metadata and counts as suitable."""
-        return (
-            not self.architecture or not library.architectures or not {"*", self.architecture}.isdisjoint(library.architectures)
-        )
+        """Whether a library works on the target's architecture, or probably does."""
+        return self.knowledge.architectures.support(library, self.architecture) is not Support.absent
 
     def _why(self, part: PartWords, decision: str) -> str:
         """The reasons why a library is needed or not, from the device that the part is recognised as."""
@@ -197,8 +207,8 @@ class DeviceRanker:
         agreement = self._agreement(entry.library, part)
         if agreement != 1.0:
             reasons.append(f"it uses {'/'.join(sorted(self._speaks(entry.library) & _BUSES))}, but the part uses {wanted}")
-        if not self._suits(library):
-            reasons.append(f"does not list the architecture {self.architecture} (it lists {', '.join(library.architectures)})")
+        if remark := self.knowledge.architectures.remark(library, self.architecture):
+            reasons.append(remark)
         if library.installed:
             reasons.append("installed here")
         if first:
@@ -228,7 +238,7 @@ class DeviceRanker:
         for candidate in candidates:
             count = chosen.get(candidate.library, 0)
             near = count > 0 and candidate.score >= NEARLY * best
-            reason = f"chosen {count} time{'s' if count > 1 else ''} before for {how}"
+            reason = f"chosen {quantity(count, 'time')} before for {how}"
             reasons = (reason, *candidate.reasons) if count else candidate.reasons
             listed.append(
                 (

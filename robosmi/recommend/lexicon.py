@@ -17,6 +17,7 @@ from typing import Literal, cast, get_args
 from msgspec import Struct
 
 from robosmi import inputs
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.recommend.tokens import plain
@@ -143,7 +144,7 @@ def _rows(path: Path) -> Iterator[_Row]:
 
 def _row(row: list[str], place: Location) -> _Row:
     if len(row) != len(COLUMNS):
-        raise PlatformDataError(f"this line has {len(row)} columns, not {len(COLUMNS)}", location=place, fix=_FIX)
+        raise PlatformDataError(f"this line has {quantity(len(row), 'column')}, not {len(COLUMNS)}", location=place, fix=_FIX)
     names = tuple(part.strip() for part in row[0].split("|") if part.strip())
     if not names:
         raise PlatformDataError("this line has no device", location=place, fix=_FIX)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import heapq
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import UsageError
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.index import Library, LibraryIndex
@@ -118,7 +119,7 @@ class TfidfRanker:
 
 
 def _times(count: int) -> str:
-    return f"chosen {count} time{'s' if count > 1 else ''} before for this part"
+    return f"chosen {quantity(count, 'time')} before for this part"
 
 
 def _stranger(name: str, count: int) -> Candidate:
@@ -127,6 +128,6 @@ def _stranger(name: str, count: int) -> Candidate:
 
 def _words(part: TermScore, file: str) -> str:
     return (
-        f"'{part.term}' of the title occurs {part.tf} time{'s' if part.tf > 1 else ''} in {file}, in {part.df} of "
+        f"'{part.term}' of the title occurs {quantity(part.tf, 'time')} in {file}, in {part.df} of "
         f"{part.documents} headers: (1 + ln {part.tf}) x ln({part.documents}/{part.df}) = {part.value:.2f}"
     )

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import RuleError
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.ecore.metamodels import Metamodels, built_in
@@ -89,9 +90,10 @@ class ModelMigration(Struct, dict=True):
         made: dict[Path, EObject] = {file: new for file, root in roots.items() if isinstance(new := f.equivalent(root), EObject)}
         if len(left) != len(roots) or len(made) != len(roots):
             (first, *_), several = roots.values(), len(roots) > 1
-            expected = f"{len(roots)} roots" if several else "one"
+            expected = quantity(len(roots), "root") if several else "one"
             raise RuleError(
-                f"migrating {first!r} of {first.eClass.ePackage.nsURI} leaves {len(left)} roots instead of {expected}",
+                f"migrating {first!r} of {first.eClass.ePackage.nsURI} leaves {quantity(len(left), 'root')} "
+                f"instead of {expected}",
                 fix="retype the classes that were renamed: retype(old, new)",
             )
         if f.left_out:

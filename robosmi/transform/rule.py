@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.elements.driver import Model, TypeHandle, class_of
 from robosmi.model.elements.feature_errors import ONE_LOAD
@@ -93,7 +94,8 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
         targets = [_annotation(body, name) for name in names]
     if len(targets) != len(names):
         raise wrong(
-            f"has {len(targets)} target types and {len(names)} parameters for targets", "give each target a parameter and a type"
+            f"has {quantity(len(targets), 'target type')} and {quantity(len(names), 'parameter')} for targets",
+            "give each target a parameter and a type",
         )
     for parameter, kind in zip(parameters, [source, *targets], strict=True):
         if kind is None:

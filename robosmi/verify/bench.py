@@ -230,6 +230,11 @@ class Bench(ABC):
         for device in self._at_pin.get(pin, ()):
             device.aimed(aim)
 
+    @property
+    def has_bus(self) -> bool:
+        """Whether a device is on a two-wire bus."""
+        return bool(self._on_bus)
+
     def bus_start(self, address: int, read: bool) -> bool:
         """The program addresses a device on the bus; returns whether one acknowledges."""
         device = self._on_bus.get(address)

@@ -76,8 +76,9 @@ def built(folder: Path, board: str | None, keep: Path) -> CompileReport:
         board: the board's name; None takes the one of the project file.
         keep: the folder for the program.
     """
-    sketch, toolchain = find_sketch(folder, _toolchains())
-    boards, installed, libraries = _platform(_toolchains().index(toolchain))
+    sketch, found = find_sketch(folder)
+    number, toolchain = next((n, each) for n, each in enumerate(_toolchains()) if each.path == found.path)
+    boards, installed, libraries = _platform(number)
     chosen = choose_board(sketch, boards, toolchain, board)
     with temporary_folder("build") as place:
         return Build(sketch, chosen, toolchain, DataRecipes(toolchain, installed, chosen), libraries, Path(place)).report(keep)

@@ -1,7 +1,8 @@
 """Measures the data memory of the variables in adapter pieces, with avr-g++, avr-gcc and avr-objdump.
 
-`python -m tests.adapters.memory` prints the pieces whose marker `ram` differs from the measurement; with `--write` the markers
-are corrected. A variable belongs to the piece whose text declares it.
+`python -m tests.adapters.memory [HEADER...]` prints the files whose marker `ram` differs from the measurement; with `--write` the
+markers are corrected. A variable belongs to the piece whose text declares it. The pieces of the hardware layer are measured in
+the programs of the headers that need them: some exclude each other, and those of other architectures do not compile here.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
-from robosmi.transformations.knowledge.adapters.adapter_files import MARK
+from robosmi.transformations.knowledge.adapters.adapter_files import HAL, MARK
 from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.lexer import tokens
@@ -77,10 +78,15 @@ def _words(piece: AdapterPiece) -> set[str]:
     return {text for kind, *_, text in tokens(piece.text.encode()) if kind == "name"}
 
 
-def measurements(language: str, pieces: Sequence[AdapterPiece]) -> Counter[tuple[str, str]]:
-    """Bytes of data memory of each piece of a language, on the microcontroller that most boards have."""
+def measurements(language: str, pieces: Sequence[AdapterPiece], headers: Collection[str] = ()) -> Counter[tuple[str, str]]:
+    """Bytes of data memory of each piece of a language, on the microcontroller that most boards have.
+
+    Only programs of these headers are compiled; those of all if there are none, or the hardware layer is among them.
+    """
     most: Counter[tuple[str, str]] = Counter()
-    for header in sorted({piece.header for piece in pieces}):
+    for header in sorted({piece.header for piece in pieces} - {HAL}):
+        if headers and HAL not in headers and header not in headers:
+            continue
         keys = [(piece.header, piece.name) for piece in pieces if piece.header == header]
         for key, size in measured(pieces, keys, MCU, language).items():
             most[key] = max(most[key], size)
@@ -88,33 +94,46 @@ def measurements(language: str, pieces: Sequence[AdapterPiece]) -> Counter[tuple
 
 
 def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
-    """The text of an adapter file with the measured `ram` markers; variants for some programs keep theirs."""
+    """The text of an adapter file with the measured `ram` markers, where they were or behind the head; variants for some
+    programs keep theirs.
+    """
     lines: list[str] = []
-    header = size = ""
-    variant = False
-    for line in text.split("\n"):
-        if size and not line.startswith(f"{MARK}   "):
-            lines.append(f"{MARK}   ram: {size}")
-            size = ""
-        if line.startswith((f"{MARK}   members:", f"{MARK}   beside:", f"{MARK}   drawn:")):
-            size, variant = "", True
-        if line.startswith(f"{MARK}   ram:") and not variant:
+    header, head, key = "", list[str](), ("", "")
+    for line in [*text.split("\n"), None]:
+        if line is not None and line.startswith(f"{MARK}   "):
+            head.append(line)
             continue
+        lines += _marked(head, sizes[key]) if key[1] else head
+        head, key = [], ("", "")
+        if line is None:
+            break
         lines.append(line)
         words = line[len(MARK) :].split() if line.startswith(MARK) else []
-        if line.startswith(f"{MARK} header"):
+        if words[:1] == ["header"]:
             header = words[1]
-        elif line.startswith(f"{MARK} ") and not line.startswith(f"{MARK}   ") and len(words) == 2:
-            size, variant = str(sizes[header, words[1]] or ""), False
+        elif len(words) == 2:
+            key = (header, words[1])
     return "\n".join(lines)
+
+
+def _marked(head: Sequence[str], size: int) -> list[str]:
+    """The lines of a piece's head with the marker for its measured bytes."""
+    if any(line.startswith((f"{MARK}   members:", f"{MARK}   beside:", f"{MARK}   drawn:")) for line in head):
+        return list(head)
+    marker = f"{MARK}   ram:"
+    new = [f"{marker} {size}"] if size else []
+    at = next((number for number, line in enumerate(head) if line.startswith(marker)), len(head))
+    return [*head[:at], *new, *(line for line in head[at:] if not line.startswith(marker))]
 
 
 def main(*arguments: str) -> int:
     """Print the files with wrong markers, or with `--write` correct them; 1 if there are any."""
     wrong = 0
+    headers = [argument for argument in arguments if argument != "--write"]
     for language, pieces, folder in (("C++", bench.pieces(), bench.ADAPTERS), ("C", bench_c.pieces(), bench_c.ADAPTERS)):
-        sizes = measurements(language, pieces)
-        for path in sorted({Path(piece.location.path) for piece in pieces}):
+        sizes = measurements(language, pieces, headers)
+        mine = [piece for piece in pieces if piece.header != HAL or "avr" in piece.architectures]
+        for path in sorted({Path(piece.location.path) for piece in mine if not headers or piece.header in headers}):
             text = path.read_text()
             if (new := written(text, sizes)) == text:
                 continue

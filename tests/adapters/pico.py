@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
@@ -18,7 +18,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.simulation import PinTrace, simulate
+from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.adapters.bench import NO_PIN, ROOT, pieces
 from tests.adapters.test_files import KEYS, STAND_INS, program
@@ -56,8 +56,13 @@ def said(wanted: Iterable[tuple[str, str]], folder: Path, architecture: str = "r
 
 
 def run(
-    uses: Iterable[str], program_text: str, milliseconds: float, folder: Path, architecture: str = "rp2040"
-) -> PinTrace:  # fmt: skip
+    uses: Iterable[str],
+    program_text: str,
+    milliseconds: float,
+    folder: Path,
+    architecture: str = "rp2040",
+    devices: Sequence[DeviceUse] = (),
+) -> PinTrace:
     """Compile a program that calls adapters (`header/name`) for the Pico, run it on a simulated one, and tell what was seen.
 
     The adapters are those of an architecture: of one that has no hardware layer of its own, on the Arduino API alone.
@@ -72,7 +77,7 @@ def run(
     report = compile_sketch(sketch, "pico", keep=folder)
     assert report.ok, report.diagnostics
     assert report.elf is not None
-    return simulate(job(report.elf, report.hex, load_board("pico"), milliseconds * 1000, []))
+    return simulate(job(report.elf, report.hex, load_board("pico"), milliseconds * 1000, list(devices)))
 
 
 def main(only: str = "", architecture: str = "rp2040") -> int:

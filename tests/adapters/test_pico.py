@@ -5,6 +5,7 @@ Also: those of the hardware layer on the Arduino API, which the Pico's core has,
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,11 +14,13 @@ from msgspec.structs import replace
 
 from robosmi.transformations.knowledge.adapters.adapter_files import HAL
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
-from tests.adapters.bench import pieces
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import ADAPTERS, pieces
 from tests.adapters.pico import run, said
 from tests.adapters.test_files import HEADERS, KEYS
 from tests.tools import require_engine, require_tools
 
+REASON = "//# unsupported "
 OF_HEADERS = [header for header in HEADERS if header != HAL]
 
 
@@ -92,6 +95,37 @@ void loop() {}
         assert [made for _, made in pulses] == pytest.approx([width] * len(pulses), abs=4), pin
         apart = [later - at for (at, _), (later, _) in pairwise(pulses)]
         assert apart == pytest.approx([period] * len(apart), abs=4), pin
+
+
+def test_devices_answer_on_a_bus_that_the_program_makes_at_any_two_pins(tmp_path: Path) -> None:
+    require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
+    require_engine("rp2040js")
+    program = """
+void setup() { Serial.begin(115200); while (!Serial) {}
+  i2c *bus = i2c_newbus(7, 6, 0);
+  unsigned char got[3] = {0, 0, 0}, more[2] = {77, 78};
+  Serial.println(i2c_in(bus, 0x19, 1, 1, got, 3));
+  for (int n = 0; n < 3; n++) Serial.println(got[n]);
+  i2c_out(bus, 0x50, 0x0102, 2, more, 2);
+  Serial.println(i2c_busy(bus, 0x51));
+  Serial.println(i2c_busy(bus, 0x50)); }
+void loop() {}
+"""
+    devices = [
+        DeviceUse("registers", {}, {"address": 0x19, "content": [10, 11, 0x81, 13]}),
+        DeviceUse("eeprom", {}, {"content": [1] * 0x0102, "busy_ms": 1}),
+    ]
+    names = [f"simpletools.h/{name}" for name in ("i2c_newbus", "i2c_in", "i2c_out", "i2c_busy")]
+    trace = run(names, program, 60, tmp_path, devices=devices)
+    assert trace.text.split()[1:] == ["11", "129", "13", "1", "1"]
+    assert [event.value for event in trace.device_events] == [[0x0102, 77], [0x0103, 78]]
+
+
+def test_reasons_for_what_no_adapter_does_name_no_board() -> None:
+    """They stand in programs for all boards."""
+    told = {line for path in ADAPTERS.rglob("*.cpp") for line in path.read_text().splitlines() if line.startswith(REASON)}
+    assert told
+    assert [line for line in told if re.search(r"\b(Uno|Mega|Leonardo|Nano|Pico|AVR)\b", line)] == []
 
 
 def test_a_servo_that_is_set_again_goes_on_until_its_pin_is_driven(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from tests.copies import Copies
 
 PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
 SETTINGS = '# mine\n[migrate]\ntarget = "uno"\n'
@@ -27,15 +28,19 @@ def line_follower(tmp_path: Path, examples: Path) -> Path:
 
 
 @pytest.fixture
-def migrated(line_follower: Path, tmp_path: Path) -> Path:
-    """The output folder of a migration of the line follower."""
-    robosmi.migrate([line_follower], tmp_path / "out")
+def migrated(line_follower: Path, tmp_path: Path, examples: Path, copies: Copies) -> Path:
+    """The output folder of a migration of the line follower: a copy, so no run of this test's user has made it."""
+
+    def fill(folder: Path) -> None:
+        robosmi.migrate([copied(examples, "line_follower", folder)], folder / "out")
+
+    copies.into(line_follower.parents[1], "line_follower", fill)
     return tmp_path / "out"
 
 
 @pytest.fixture
 def robot(tmp_path: Path) -> Path:
-    """A folder with a program of one port, its project file, and its migration in `out`."""
+    """A folder with a program of one port, its project file, and its migration in `out`, whose sources `choose` finds again."""
     folder = tmp_path / "robot"
     folder.mkdir()
     (folder / "blink.c").write_text(PROGRAM)

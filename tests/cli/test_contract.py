@@ -290,6 +290,16 @@ def test_an_error_under_json_is_a_document_too(line_follower: Path) -> None:
     assert "missing.c" in outcome.err
 
 
+def test_an_input_beyond_a_limit_has_a_rule_of_its_own(tmp_path: Path) -> None:
+    program = tmp_path / "long.c"
+    program.write_text("int main(void) {" + "again();\n" * 10_001 + "}\n")
+    outcome = run("analyse", program, "--json")
+    (finding,) = outcome.document["findings"]
+    assert (outcome.code, finding["rule"], finding["location"]["line"]) == (3, "RS912", 10_001)
+    assert finding["fix"]
+    assert "[RS912]" in outcome.err
+
+
 def test_findings_keep_their_ids_over_runs(cases: Path) -> None:
     first, second = (run("analyse", cases / "syntax.c", "--json").document["findings"] for _ in range(2))
     assert first

@@ -67,5 +67,5 @@ def test_analyse_names_the_adapter_file(program: Path) -> None:
     files = {call["name"]: call.get("adapter") for call in unit["unknown_calls"]}
     assert files == {"beacon_flash": str(program.parent / "adapters" / "beacon.cpp"), "beacon_sound": None}
     text = run("analyse", program).out
-    assert "beacon.cpp): beacon_flash (1 calls)" in text
-    assert "unknown: beacon_sound (1 calls)" in text
+    assert "beacon.cpp): beacon_flash (1 call)" in text
+    assert "unknown: beacon_sound (1 call)" in text

@@ -121,6 +121,25 @@ def test_a_damaged_note_trusts_nothing(project: Path) -> None:
         trust.demand(project / ".robosmi", "templates")
 
 
+@pytest.mark.parametrize("others", [0o620, 0o602])
+def test_a_note_that_another_user_could_have_written_trusts_nothing(others: int, project: Path) -> None:
+    trust.trust(project)
+    trust.demand(project / ".robosmi", "templates")
+    for note in (resources.user_data() / "trusted").iterdir():
+        note.chmod(others)
+    with pytest.raises(SourceError, match="not trusted"):
+        trust.demand(project / ".robosmi", "templates")
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can give files away")
+def test_root_trusts_nothing_because_of_another_users_note(project: Path) -> None:
+    trust.trust(project)
+    for note in (resources.user_data() / "trusted").iterdir():
+        os.chown(note, 65534, 65534)
+    with pytest.raises(SourceError, match="not trusted"):
+        trust.demand(project / ".robosmi", "templates")
+
+
 def test_a_command_that_needs_found_templates_exits_with_3(project: Path, examples: Path, tmp_path: Path) -> None:
     source = examples / "line_follower" / "line_follower.c"
     assert main(["migrate", str(source), "-o", str(tmp_path / "out"), "--json"]) == 3

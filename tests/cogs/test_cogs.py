@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ from robosmi.transformations.chains.stages.output import Generated
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.queries.resources.stack_depth import CORE_INTERRUPT
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.simulation import PinTrace, simulate
+from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_engine, require_tools
 
@@ -25,6 +26,12 @@ PROGRAMS = Path(__file__).parent / "programs"
 BIND = {"P25": "D6", "P26": "D13", "P27": "D12", "P5": "D5"}
 SERVOS = ["D9", "D10"]
 BOARDS = ["uno", "leonardo", "mega"]
+PICO = "pico"
+
+
+def pin_of(board: str, pin: str) -> str:
+    """The pin of a board with the number of a pin of an Uno."""
+    return f"GP{pin[1:]}" if board == PICO else pin
 
 
 @pytest.fixture(autouse=True)
@@ -38,14 +45,18 @@ def moved(name: str, folder: Path, board: str = "uno") -> Generated:
     place = PROGRAMS / name
     files = sorted(place.glob("*.c")) if place.is_dir() else [place.with_suffix(".c")]
     text = "".join(file.read_text() for file in files)
-    bind = {port: pin for port, pin in BIND.items() if re.search(rf"\b(?:high|low|toggle|input|pulse_out)\({port[1:]}\b", text)}
+    calls = r"\b(?:high|low|toggle|input|pulse_out|servo_angle|ping_cm)"
+    bind = {port: pin_of(board, pin) for port, pin in BIND.items() if re.search(rf"{calls}\({port[1:]}\b", text)}
     if '#include "abdrive.h"' in text:
-        bind |= dict(zip(("abdrive.left_servo", "abdrive.right_servo"), SERVOS, strict=True))
+        bind |= {f"abdrive.{side}_servo": pin_of(board, pin) for side, pin in zip(("left", "right"), SERVOS, strict=True)}
     return migrate(files, folder, bind=bind, target=board)
 
 
-def run(name: str, folder: Path, milliseconds: float, board: str = "uno") -> PinTrace:
+def run(name: str, folder: Path, milliseconds: float, board: str = "uno", devices: Sequence[DeviceUse] = ()) -> PinTrace:
     """Simulate a migrated program; the generated text must give no warning."""
+    if board == PICO:
+        require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
+        require_engine("rp2040js")
     made = moved(name, folder / "out", board)
     report = compile_sketch(made.sketch, board, keep=folder)
     assert report.ok, [finding.message for finding in report.diagnostics]
@@ -54,8 +65,7 @@ def run(name: str, folder: Path, milliseconds: float, board: str = "uno") -> Pin
     ]
     assert own == []
     assert report.elf is not None
-    assert report.hex is not None
-    return simulate(job(report.elf, report.hex, load_board(board), milliseconds * 1000))
+    return simulate(job(report.elf, report.hex, load_board(board), milliseconds * 1000, list(devices)))
 
 
 def rises(trace: PinTrace, pin: str) -> list[float]:
@@ -79,15 +89,16 @@ def test_cogs_share_a_variable_until_one_is_ended(board: str, tmp_path: Path) ->
     assert ended == pytest.approx(2000, abs=20)
 
 
-def test_a_busy_wait_ends_when_the_cog_says_so(tmp_path: Path) -> None:
-    trace = run("busy_wait", tmp_path, 400)
-    first = rises(trace, "D13")[0]
-    (begun,) = rises(trace, "D12")
-    ended = [at / 1000 for at, level in trace.levels("D12") if level == 0][-1]
+@pytest.mark.parametrize("board", ["uno", PICO])
+def test_a_busy_wait_ends_when_the_cog_says_so(board: str, tmp_path: Path) -> None:
+    trace = run("busy_wait", tmp_path, 400, board)
+    first = rises(trace, pin_of(board, "D13"))[0]
+    (begun,) = rises(trace, pin_of(board, "D12"))
+    ended = [at_us / 1000 for at_us, level in trace.levels(pin_of(board, "D12")) if level == 0][-1]
     assert begun - first == pytest.approx(100, abs=3)
     assert ended - begun == pytest.approx(100, abs=3)
     assert trace.text == "2 1\n"
-    assert len(trace.levels("D13")) >= 18, "the cog goes on when main has nothing more to do"
+    assert len(trace.levels(pin_of(board, "D13"))) >= 18, "the cog goes on when main has nothing more to do"
 
 
 def test_jumps_back_and_macros_that_are_loops_give_way(tmp_path: Path) -> None:
@@ -98,16 +109,17 @@ def test_jumps_back_and_macros_that_are_loops_give_way(tmp_path: Path) -> None:
     assert len(trace.levels("D13")) >= 18
 
 
-def test_a_lock_lets_one_cog_in(tmp_path: Path) -> None:
-    assert run("locks", tmp_path, 200).text == "done 2, worst 1\n"
+@pytest.mark.parametrize("board", ["uno", PICO])
+def test_a_lock_lets_one_cog_in(board: str, tmp_path: Path) -> None:
+    assert run("locks", tmp_path, 200, board).text == "done 2, worst 1\n"
 
 
-@pytest.mark.parametrize("board", BOARDS)
+@pytest.mark.parametrize("board", [*BOARDS, PICO])
 def test_each_cog_has_its_parameter(board: str, tmp_path: Path) -> None:
     trace = run("parameters", tmp_path, 350, board)
     for pin, time in (("D6", 30), ("D13", 20), ("D12", 10)):
-        assert gaps(rises(trace, pin)) == [pytest.approx(2 * time, abs=2)] * 3
-    if board == "uno":
+        assert gaps(rises(trace, pin_of(board, pin))) == [pytest.approx(2 * time, abs=2)] * 3
+    if board in ("uno", PICO):
         assert trace.text == "6\n"
 
 
@@ -138,13 +150,14 @@ def test_computing_and_polling_keep_nobody_waiting(tmp_path: Path) -> None:
     assert len(rises(trace, "D6")) == 1
 
 
-def test_a_cog_keeps_its_beat(tmp_path: Path) -> None:
-    trace = run("in_step", tmp_path, 190)
-    beats = rises(trace, "D13")
+@pytest.mark.parametrize("board", ["uno", PICO])
+def test_a_cog_keeps_its_beat(board: str, tmp_path: Path) -> None:
+    trace = run("in_step", tmp_path, 190, board)
+    beats = rises(trace, pin_of(board, "D13"))
     assert gaps(beats) == [pytest.approx(20, abs=0.2)] * (len(beats) - 1)
     assert len(beats) >= 8
-    (up,) = rises(trace, "D12")
-    down = [at / 1000 for at, level in trace.levels("D12") if level == 0][-1]
+    (up,) = rises(trace, pin_of(board, "D12"))
+    down = [at_us / 1000 for at_us, level in trace.levels(pin_of(board, "D12")) if level == 0][-1]
     assert up - beats[0] == pytest.approx(40, abs=2)
     assert down - up == pytest.approx(50, abs=2)
 
@@ -157,7 +170,7 @@ def test_what_a_cog_is_held_up_by_is_taken_off_its_next_pauses(board: str, tmp_p
     assert gaps(blinks) == [pytest.approx(100, abs=12)] * (len(blinks) - 1)
 
 
-@pytest.mark.parametrize("board", ["uno", "mega"])
+@pytest.mark.parametrize("board", ["uno", "mega", PICO])
 def test_threads_are_joined_and_share_a_mutex(board: str, tmp_path: Path) -> None:
     assert run("threads", tmp_path, 250, board).text == "70 4\n"
 
@@ -168,16 +181,28 @@ def test_code_of_a_cog_may_stand_in_another_file(tmp_path: Path) -> None:
     assert len(rises(trace, "D13")) in (5, 6)
 
 
+@pytest.mark.parametrize("board", ["uno", PICO])
+def test_a_cog_moves_a_servo_while_main_measures_until_it_is_ended(board: str, tmp_path: Path) -> None:
+    ranger = DeviceUse("ranger", {"signal": pin_of(board, "D5")}, {"points": [[0, 20], [70, 150]]})
+    trace = run("servo_in_a_cog", tmp_path, 300, board, [ranger])
+    near, far, later = map(int, re.findall(r"-?\d+", trace.text))
+    assert (near, far, later) == (20, pytest.approx(150, abs=1), 0)
+    widths = [width for _, width in trace.pulses(pin_of(board, "D6"))]
+    assert widths == sorted(widths)
+    assert {round(width, -1) for width in widths} == {1100, 1700}
+    assert len(rises(trace, pin_of(board, "D12"))) == 1
+
+
 def pulses(trace: PinTrace, pin: str) -> list[float]:
     """When the pulses of a servo began, in milliseconds."""
     return [at / 1000 for at, width in trace.pulses(pin) if width > 1000]
 
 
-@pytest.mark.parametrize("board", ["uno", "mega"])
+@pytest.mark.parametrize("board", ["uno", "mega", PICO])
 def test_a_drive_is_started_in_a_cog(board: str, tmp_path: Path) -> None:
     trace = run("drive_in_a_cog", tmp_path, 1500, board)
     for pin in SERVOS:
-        begun = pulses(trace, pin)
+        begun = pulses(trace, pin_of(board, pin))
         assert len(begun) > 60
         assert gaps(begun)[-20:] == [pytest.approx(20, abs=1.5)] * 20
 

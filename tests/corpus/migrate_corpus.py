@@ -2,9 +2,10 @@
 
 The figures of adapters are over calls of functions that the platform has and whose header the target can serve.
 
-Usage: python -m tests.corpus.migrate_corpus FOLDER [--keep OUT] [--only TEXT]. A program is a .c file with a main; the .c
-files beside it without one belong to it only if its folder has no other program. Run by hand, and by `test_corpus.py`
-where ROBOSMI_CORPUS names such a folder. A traceback, ModelError or InternalError here is a fault of ours.
+Usage: python -m tests.corpus.migrate_corpus FOLDER [--keep OUT] [--only TEXT] [--target NAME] [--part K/N] [--workers N]. A
+program is a .c file with a main; the .c files beside it without one belong to it only if its folder has no other program.
+`--part 2/8` takes the second of eight parts. Run by hand, and by `test_corpus.py` where ROBOSMI_CORPUS names such a folder.
+A traceback, ModelError or InternalError here is a fault of ours.
 """
 
 from __future__ import annotations
@@ -203,8 +204,8 @@ def refusal(files: tuple[Path, ...], corpus: Path) -> str | None:
     return "" if re.search(rb"\bmain\s*\([^;]*?\)\s*\{", text) else "there is no main"
 
 
-def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
-    """Migrate and compile one program."""
+def outcome(files: tuple[Path, ...], corpus: Path, output: Path, target: str | None = None) -> Outcome:
+    """Migrate and compile one program, for the default target if none is given."""
     import robosmi
     from robosmi.metamodels import migration
     from robosmi.transformations.queries.plans.plan import header_name
@@ -214,11 +215,11 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     reason = refusal(files, corpus)
     taken: dict[str, Any] = {"valid": None if reason is None else not reason, "refusal": reason or ""}
     try:
-        made = robosmi.migrate(list(files), output)
+        made = robosmi.migrate(list(files), output, target=target)
         again = robosmi.generate_sketch(output / "models" / "plan.xmi", output.with_name(f"{output.name}-again"))
         if again.contents != made.contents:
             return Outcome(path, "crashed", message="the stored plan gives another sketch", **taken)
-        if robosmi.migrate(list(files), output).contents != made.contents:
+        if robosmi.migrate(list(files), output, target=target).contents != made.contents:
             return Outcome(path, "crashed", message="a second run gives another sketch", **taken)
     except (InternalError, ModelError) as error:
         return Outcome(path, "crashed", message=str(error), **taken)
@@ -284,7 +285,9 @@ def _missing(made: MigratedSketch) -> tuple[str, ...]:
     return tuple(found)
 
 
-def run(corpus: Path, keep: Path | None = None, only: str = "", workers: int = 2) -> Table:
+def run(
+    corpus: Path, keep: Path | None = None, only: str = "", workers: int = 2, target: str | None = None, part: str = "1/1"
+) -> Table:
     """Migrate and compile all programs of a corpus.
 
     Args:
@@ -292,12 +295,15 @@ def run(corpus: Path, keep: Path | None = None, only: str = "", workers: int = 2
         keep: where sketches are kept; a temporary folder if None.
         only: programs whose path contains this.
         workers: processes.
+        target: the target; the default one if None.
+        part: `K/N` is the K-th of N parts of these programs.
     """
+    first, _, step = part.partition("/")
     with tempfile.TemporaryDirectory() as scratch:
-        chosen: Iterable[tuple[Path, ...]] = [p for p in programs(corpus) if only in str(p[0])]
+        chosen: Iterable[tuple[Path, ...]] = [p for p in programs(corpus) if only in str(p[0])][int(first) - 1 :: int(step)]
         base = keep or Path(scratch)
         with ProcessPoolExecutor(workers) as pool:
-            jobs = [pool.submit(outcome, files, corpus, base / f"{number:03}") for number, files in enumerate(chosen)]
+            jobs = [pool.submit(outcome, files, corpus, base / f"{number:03}", target) for number, files in enumerate(chosen)]
             return Table([job.result() for job in jobs])
 
 
@@ -307,8 +313,11 @@ def main() -> None:
     parser.add_argument("corpus", type=Path)
     parser.add_argument("--keep", type=Path)
     parser.add_argument("--only", default="")
-    arguments = parser.parse_args()
-    print("\n".join(run(arguments.corpus, arguments.keep, arguments.only).lines()))
+    parser.add_argument("--target")
+    parser.add_argument("--part", default="1/1", help="K/N: the K-th of N parts")
+    parser.add_argument("--workers", type=int, default=2)
+    asked = parser.parse_args()
+    print("\n".join(run(asked.corpus, asked.keep, asked.only, asked.workers, asked.target, asked.part).lines()))
 
 
 if __name__ == "__main__":

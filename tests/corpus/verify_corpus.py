@@ -1,10 +1,10 @@
 """Verify migrations of real programs and tabulate the verdicts.
 
-`ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus [--only TEXT] [--budget SECONDS] [--table FILE]`, the seconds being those
-of the search for scenarios of each program. Which programs, and how their ports are wired, is in `verified_programs.toml`; ports
-that it does not name are bound to free pins of the target. A row for each: verdict, scenarios, simulated time, lines and branches
-reached, the reason or the first difference, and its cause as the file has it. With `--table` the rows are written as a table of
-Markdown.
+`ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus [--only TEXT] [--budget SECONDS] [--target BOARD] [--part K/N]
+[--table FILE]`, the seconds being those of the search for scenarios of each program, and the part the K-th of N. Which programs,
+and how their ports are wired to an Uno, is in `verified_programs.toml`; all other ports are bound to free pins of the target. A
+row for each: verdict, scenarios, simulated time, lines and branches reached, the reason or the first difference, and its cause as
+the file has it. With `--table` the rows are written as a table of Markdown.
 """
 
 from __future__ import annotations
@@ -21,45 +21,54 @@ from typing import Any
 import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.verify import verify
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.verify.traces.verdict import NO_DIFFERENCE, Verdict
 from tests.corpus.migrate_corpus import programs
 
 CHOSEN = Path(__file__).parent / "verified_programs.toml"
-_DIGITAL = [f"D{n}" for n in (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13)]
-_ANALOG = [f"A{n}" for n in range(6)]
+UNO = "uno"
 
 
-def migrated(files: list[Path], wiring: Mapping[str, str], folder: Path) -> None:
-    """Migrate a program; ports that nobody wired are on pins of the target that nothing else has, as long as there are any."""
-    made = robosmi.plan_migration(files)
+def pins(board: str) -> tuple[list[str], list[str]]:
+    """The pins of a board that programs may use: those for digital signals alone, and those that read voltages."""
+    usable = [pin for pin in load_board(board).pins if not pin.reserved]
+    analog = [str(pin.label) for pin in usable if "analog_in" in pin.abilities]
+    return [str(pin.label) for pin in usable if pin.label not in analog], analog
+
+
+def migrated(files: list[Path], wiring: Mapping[str, str], folder: Path, board: str = UNO) -> None:
+    """Migrate a program; ports that nobody wired are on pins of the board that nothing else has, as long as there are any."""
+    made = robosmi.plan_migration(files, target=board)
     bind = dict(wiring)
-    free = [pin for pin in (*_DIGITAL, *_ANALOG) if pin not in wiring.values()]
+    digital_pins, analog_pins = pins(board)
+    free = [pin for pin in (*digital_pins, *analog_pins) if pin not in wiring.values()]
     open_ports: list[tuple[str, int]] = []
-    pins: dict[int, str] = {}  # of a port that has several names
+    placed: dict[int, str] = {}  # of a port that has several names
     for binding in made.plan.portBindings:
         wired = next((wiring[name] for name in (str(binding.name), *map(str, binding.names)) if name in wiring), None)
         if wired is None:
             open_ports.append((str(binding.name), int(binding.sourcePin)))
         else:
-            pins[int(binding.sourcePin)] = wired
+            placed[int(binding.sourcePin)] = wired
     for name, number in open_ports:
         analog = name.startswith("AD") or ".channel_" in name
-        fitting = [pin for pin in free if pin.startswith("A") or not analog]
-        if analog or number < 0 or number not in pins:
+        fitting = [pin for pin in free if pin in analog_pins or not analog]
+        if analog or number < 0 or number not in placed:
             if not fitting:
                 continue
-            pins[number] = next((pin for pin in fitting if analog and pin.startswith("A")), fitting[0])
-            free.remove(pins[number])
-        bind[name] = pins[number]
-    robosmi.migrate(files, folder, bind=bind)
+            placed[number] = fitting[0]
+            free.remove(placed[number])
+        bind[name] = placed[number]
+    robosmi.migrate(files, folder, bind=bind, target=board)
 
 
-def row(files: list[Path], entry: Mapping[str, Any], budget: float) -> tuple[str, list[str]]:
+def row(files: list[Path], entry: Mapping[str, Any], budget: float, board: str = UNO) -> tuple[str, list[str]]:
     """The verdict on one program, and its row in the table."""
+    wiring = entry.get("bind", {}) if board == UNO else {}
     with tempfile.TemporaryDirectory() as place:
         out = Path(place) / "out"
         try:
-            migrated(files, entry.get("bind", {}), out)
+            migrated(files, wiring, out, board)
             verdict = verify(out, budget_s=budget).verdict
         except RobosmiError as error:
             return "error", ["error", "", "", "", "", f"{type(error).__name__}: {error.message}"]
@@ -105,16 +114,22 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", default="")
     parser.add_argument("--budget", type=float, default=20.0)
+    parser.add_argument("--target", default=UNO, help="a board")
+    parser.add_argument("--part", default="1/1", help="K/N: the K-th of N parts")
     parser.add_argument("--table", type=Path)
     asked = parser.parse_args()
+    first, _, step = asked.part.partition("/")
     corpus = Path(os.environ["ROBOSMI_CORPUS"])
     units = {str(files[0].relative_to(corpus)): list(files) for files in programs(corpus)}
     verdicts: Counter[str] = Counter()
     rows: list[list[str]] = []
-    for entry in tomllib.loads(CHOSEN.read_text())["program"]:
+    for entry in tomllib.loads(CHOSEN.read_text())["program"][int(first) - 1 :: int(step)]:
         if asked.only not in entry["path"]:
             continue
-        said, cells_of = row(units[entry["path"]], entry, asked.budget)
+        if entry["path"] not in units:
+            verdicts["not in the corpus"] += 1
+            continue
+        said, cells_of = row(units[entry["path"]], entry, asked.budget, asked.target)
         verdicts[said] += 1
         cause = entry.get("cause", "not known") if said != NO_DIFFERENCE else ""
         rows.append([entry["path"], *cells_of, cause])

@@ -1,4 +1,4 @@
-"""The notebook of the line follower runs, and shows models, plans, findings, rankings and wirings as people want to see them."""
+"""The notebooks of the line follower run, and show models, plans, findings, rankings and wirings as people want to see them."""
 
 from __future__ import annotations
 
@@ -29,11 +29,22 @@ pytestmark = pytest.mark.processes  # a kernel runs the notebook
 
 @pytest.fixture(scope="module")
 def shown(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """The notebook, run in a copy of its folder: last line of each cell of code -> what it shows, as HTML or text."""
+    """What the notebook of the models shows."""
+    return outputs_of("line_follower.ipynb", tmp_path_factory.mktemp("notebook") / "example")
+
+
+@pytest.fixture(scope="module")
+def stepped(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """What the notebook of the steps shows."""
+    return outputs_of("step_by_step.ipynb", tmp_path_factory.mktemp("notebook") / "example")
+
+
+def outputs_of(name: str, folder: Path) -> dict[str, str]:
+    """A notebook, run in a copy of its folder: last line of each cell of code -> what it shows, as HTML or text."""
     nbformat = pytest.importorskip("nbformat")
     client = pytest.importorskip("nbclient")
-    folder = Path(shutil.copytree(EXAMPLE, tmp_path_factory.mktemp("notebook") / "example"))
-    notebook = nbformat.read(folder / "line_follower.ipynb", as_version=4)
+    shutil.copytree(EXAMPLE, folder)
+    notebook = nbformat.read(folder / name, as_version=4)
     nbformat.validate(notebook)
     before = dict(os.environ)
     os.environ |= {"ROBOSMI_HOME": str(folder / "home"), "PYTHONPATH": str(ROOT), "IPYTHONDIR": str(folder / "ipython")}
@@ -55,6 +66,19 @@ def _shown(outputs: list[Any]) -> str:
         data = output.get("data", {})
         texts.append(str(data.get("text/html") or data.get("text/plain") or output.get("text", "")))
     return "\n".join(texts)
+
+
+def test_each_step_of_a_migration_shows_its_result(stepped: dict[str, str]) -> None:
+    def of(beginning: str) -> str:
+        return next(text for line, text in stepped.items() if line.startswith(beginning))
+
+    assert "<img" in of("circuit")
+    assert re.search(r"'Arduino Uno.D8',\s+'Basic Servo2.pulse'", of("sorted("))
+    assert "HIH40302ReadP1" in of("Q(plan.connections)")
+    assert re.search(r"adapt +#+ \d", of('print("\\n".join(f"{action'))
+    assert "Servo" in of("robosmi.recommend_libraries")
+    assert "leftQTI" in stepped["plan"]
+    assert "const int32_t leftQTI" in of('print("\\n".join((made.sketch')
 
 
 def test_a_program_is_a_tree(shown: dict[str, str]) -> None:

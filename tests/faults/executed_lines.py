@@ -23,7 +23,6 @@ from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.libraries import LibraryFolders
 from robosmi.verify.toolchains.recipes import DataRecipes
 from robosmi.verify.toolchains.sketch import choose_board, find_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from robosmi.verify.toolchains.tools import find_installed
 
 _FLAGS = ("-fno-lto", "-gdwarf-4")
@@ -37,7 +36,7 @@ def built_for_lines(out: Path, place: Path) -> CompileReport:
         out: the output folder of a migration.
         place: an empty folder for the program.
     """
-    sketch, toolchain = find_sketch(out, load_toolchains())
+    sketch, toolchain = find_sketch(out)
     board = choose_board(sketch, load_boards(toolchain.platform), toolchain)
     board = board._replace(extra_flags=(*board.extra_flags, *_FLAGS))
     installed = find_installed(toolchain)

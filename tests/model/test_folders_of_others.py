@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi import resources
 from robosmi.errors import StoppedError
 from robosmi.files.commit import commit
 from robosmi.files.recovery import STAGE, recover
@@ -52,6 +53,19 @@ def test_a_folder_that_took_the_place_of_a_killed_runs_is_not_its(tmp_path: Path
     stage.rename(tmp_path / "elsewhere")
     stage.mkdir()
     (stage / "thesis.txt").write_text("precious")
+    with pytest.raises(StoppedError):
+        recover(tmp_path / "zz")
+    assert (stage / "thesis.txt").read_text() == "precious"
+
+
+def test_a_record_that_another_user_could_have_written_removes_nothing(tmp_path: Path) -> None:
+    stage = tmp_path / "zz" / STAGE
+    stage.mkdir(parents=True)
+    own_stage(stage)
+    (stage / "thesis.txt").write_text("precious")
+    for record in (resources.user_data() / "runs").glob("*.made"):
+        assert record.stat().st_mode & 0o77 == 0
+        record.chmod(0o666)
     with pytest.raises(StoppedError):
         recover(tmp_path / "zz")
     assert (stage / "thesis.txt").read_text() == "precious"

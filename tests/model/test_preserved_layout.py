@@ -13,7 +13,8 @@ from robosmi.model import EmfModel, open_model
 from robosmi.model.xmi.xmi_writer import to_xmi
 
 SPLIT = Path(__file__).parent / "split"
-COMMENTED = Path(__file__).parent / "layouts" / "commented.xmi"
+LAYOUTS = Path(__file__).parent / "layouts"
+COMMENTED = LAYOUTS / "commented.xmi"
 
 
 def opened(path: Path) -> Any:
@@ -41,6 +42,16 @@ def test_a_file_that_was_not_edited_keeps_its_bytes(encoding: str, newline: byte
     assert (tmp_path / "m.xmi").read_bytes() == before
     model.save(tmp_path / "copy.xmi")
     assert (tmp_path / "copy.xmi").read_bytes() == before
+
+
+@pytest.mark.parametrize("case", sorted(LAYOUTS.glob("*_elsewhere")), ids=lambda path: path.name)
+def test_a_model_without_comments_is_as_emf_writes_it_in_another_place(case: Path, tmp_path: Path) -> None:
+    (tmp_path / "m.xmi").write_bytes(before := (case / "m.xmi").read_bytes())
+    model = EmfModel.load(tmp_path / "m.xmi", case / "m.ecore")
+    model.save(tmp_path / "copy.xmi")
+    assert (tmp_path / "copy.xmi").read_bytes() == (case / "emf.xmi").read_bytes()
+    model.save()
+    assert (tmp_path / "m.xmi").read_bytes() == before
 
 
 def rename(m: Any) -> None:

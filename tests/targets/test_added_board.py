@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.transformations.knowledge.board_models import load_board
 from tests.running import run
 from tests.tools import require_engine, require_tools
 
@@ -91,3 +92,21 @@ def test_a_board_that_the_stand_in_does_not_know_needs_data(project: Path) -> No
     done = run("compile", "out", "--board", "rp2040:rp2040:seeed_xiao_rp2350")
     assert done.code == 2
     assert "unknown board" in done.err
+
+
+def test_a_board_of_the_stm32_core_is_one_file_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its A0 is place 46 of the core's pins; a timer of the core's Servo is not free for PWM; no other core takes its place."""
+    boards = tmp_path / ".robosmi" / "platform_repo" / "arduino" / "boards"
+    boards.mkdir(parents=True)
+    shutil.copy(FILE.parent / "nucleo-f103rb.toml", boards)
+    (tmp_path / "blink.c").write_text(PROGRAM)
+    (tmp_path / "wiring.csv").write_text("pin,part,title\nA0,Red LED,lamp\n")
+    monkeypatch.chdir(tmp_path)
+    assert run("trust", ".").code == 0
+    done = run("migrate", "blink.c", "--target", "nucleo-f103rb", "--hardware", "wiring.csv", "--bind", "P26=A0", "-o", "out")
+    assert done.code == 0, done.err
+    assert "STMicroelectronics:stm32:Nucleo_64:pnum=NUCLEO_F103RB" in Path("out/blink/sketch.yaml").read_text()
+    board = load_board("nucleo-f103rb")
+    assert board.microcontroller is not None
+    assert board.microcontroller.architecture == "stm32"
+    assert {str(timer) for use in board.microcontroller.uses for timer in use.timers} == {"TIM3", "TIM4"}

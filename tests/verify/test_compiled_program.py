@@ -21,7 +21,6 @@ from clang import cindex
 from robosmi.errors import SourceError, StoppedError
 from robosmi.verify.toolchains.compiled_program import compile_into, folder_of, read_record
 from robosmi.verify.toolchains.sketch import find_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from tests.running import run, tree
 from tests.tools import require_tools
 
@@ -64,7 +63,7 @@ def test_the_command_leaves_program_record_and_database(out: Path) -> None:
     other = out.parent / "a new" / "place"
     assert run("compile", out, "-o", other, "--board", "mega").code == 0
     assert whole(other)
-    sketch, _ = find_sketch(out, load_toolchains())
+    sketch, _ = find_sketch(out)
     record = read_record(other, sketch)
     assert record is not None
     assert (record.board, record.fits, record.stand_ins) == ("mega", True, ())
@@ -88,7 +87,7 @@ def test_too_big_for_the_board_leaves_its_sizes_and_nothing_that_could_be_sent(c
     out = Path(shutil.copytree(CASES / case, tmp_path / "out"))
     assert run("compile", out).code == 1
     assert not list((out / "build").glob("*.hex"))
-    sketch, _ = find_sketch(out, load_toolchains())
+    sketch, _ = find_sketch(out)
     record = read_record(out / "build", sketch)
     assert record is not None
     assert not record.fits
@@ -227,7 +226,7 @@ def test_the_folder_of_a_sketch_is_the_output_folder_s_wherever_it_is_named(tmp_
     require_tools("avr-g++")
     (tmp_path / "out" / "blink").mkdir(parents=True)
     (tmp_path / "out" / "blink" / "blink.ino").write_text("void setup() {}\nvoid loop() {}\n")
-    sketch, _ = find_sketch(tmp_path / "out", load_toolchains())
+    sketch, _ = find_sketch(tmp_path / "out")
     assert folder_of(tmp_path / "out", sketch) == tmp_path / "out" / "build"
     assert folder_of(tmp_path / "out" / "blink", sketch) == tmp_path / "out" / "blink" / "build"
     (tmp_path / "out" / ".robosmi.json").write_text("{}")
@@ -298,11 +297,11 @@ def test_a_link_in_a_linked_folder_counts_too_and_loops_end(made: Path, tmp_path
     (made / "mine").mkdir()
     (made / "mine" / "again").symlink_to(made)
     (made / "blink" / "src").symlink_to("../mine")
-    sketch, _ = find_sketch(made, load_toolchains())
+    sketch, _ = find_sketch(made)
     assert folder_of(made, sketch) == made / "build"
     (made / "mine" / "key.h").symlink_to(tmp_path / "key.h")
     with pytest.raises(SourceError, match=r"'blink/src/key\.h' is outside the output folder"):
-        find_sketch(made, load_toolchains())
+        find_sketch(made)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="links need rights there")

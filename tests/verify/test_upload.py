@@ -362,10 +362,14 @@ def test_without_the_tool_it_is_named_with_its_package(blink: Callable[[str], Pa
     assert missing.value.fix == "sudo apt install avrdude"
 
 
-def test_a_port_without_a_name(tmp_path: Path) -> None:
+def test_a_port_without_a_name(blink: Callable[[str], Path], stand_in: StandIn) -> None:
+    out = blink("uno")
     with pytest.raises(UsageError, match="the port's name is empty"):
-        upload_sketch(tmp_path, " ")
-    assert run("upload", tmp_path).code == 2
+        upload_sketch(out, " ")
+    outcome = run("upload", out, "--json")
+    assert outcome.code == 2
+    assert "--port" in outcome.document["findings"][0]["fix"]
+    assert stand_in.asked() == []
 
 
 def test_a_dry_run_sends_nothing(blink: Callable[[str], Path], stand_in: StandIn) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ FOLDER = Path(__file__).parent
 PASSED = FOLDER / "passed.c"
 
 
+@cache
 def changed(program: Path) -> str:
     """A program's text with the changes of its widenings alone, the last first."""
     plan = plan_migration([program]).plan

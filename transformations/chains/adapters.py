@@ -14,6 +14,7 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.base.data_text import Json, as_texts
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, SourceError, UsageError, did_you_mean
 from robosmi.files.files import free_name, write_atomic
@@ -74,7 +75,7 @@ class AdapterReport(Struct):
         if self.written:
             lines += [f"saved in {path}" for path in self.written]
         elif not any("text" in each for each in self.adapters):
-            lines.append(f"{len(counted)} of {len(self.adapters)} functions have an adapter")
+            lines.append(f"{len(counted)} of {quantity(len(self.adapters), 'function')} have an adapter")
         return lines
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from msgspec import Struct, structs
 
+from robosmi.base.quantities import quantity
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
@@ -35,17 +36,19 @@ class Analysis(Struct, frozen=True):
         """What a person reads."""
         lines: list[str] = []
         for unit in self.result["units"]:
-            counts = f"{unit['path']}: {len(unit['functions'])} functions, {len(unit['globals'])} globals"
+            counts = f"{unit['path']}: {quantity(len(unit['functions']), 'function')}, {quantity(len(unit['globals']), 'global')}"
             lines.append(counts if unit["main"] is None else f"{counts}; {_loop_of(unit['main'])}")
             for call in unit["platform_calls"]:
-                lines.append(f"  {call['header'] or '?':20} {call['signature'] or call['name']:50} {call['count']} calls")
+                lines.append(
+                    f"  {call['header'] or '?':20} {call['signature'] or call['name']:50} {quantity(call['count'], 'call')}"
+                )
             symbols = ", ".join(s["name"] for s in unit["platform_symbols"])
             if symbols:
                 lines.append(f"  platform symbols: {symbols}")
             for call in unit["unknown_calls"]:
                 adapter = call.get("adapter")
                 of = f"with your adapter ({os.path.relpath(adapter)})" if adapter else "unknown"
-                lines.append(f"  {of}: {call['name']} ({call['count']} calls)")
+                lines.append(f"  {of}: {call['name']} ({quantity(call['count'], 'call')})")
         return [*lines, *self._portability()]
 
     def _portability(self) -> list[str]:
@@ -55,7 +58,7 @@ class Analysis(Struct, frozen=True):
         by_kind: dict[str, list[dict[str, Any]]] = {}
         for place in places:
             by_kind.setdefault(place["kind"], []).append(place)
-        lines = [f"{len(places)} places may behave differently on the target" + (":" if places else "")]
+        lines = [f"{quantity(len(places), 'place')} may behave differently on the target" + (":" if places else "")]
         for kind, found in sorted(by_kind.items(), key=lambda item: -len(item[1])):
             lines.append(f"  {kind}: {len(found)}")
             for place in found:

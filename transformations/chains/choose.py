@@ -16,6 +16,7 @@ from typing import Any
 from msgspec import field
 from msgspec.structs import asdict, replace
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
 from robosmi.files.commit import again_when_changed
@@ -27,9 +28,10 @@ from robosmi.generate.project_entries import ProjectChange, changed_project, dis
 from robosmi.metamodels import migration
 from robosmi.project import FILE_NAME, Project, load_project
 from robosmi.query import Q
-from robosmi.transformations.chains.migrate import migrate
+from robosmi.transformations.chains.move import migrate_or_move
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
+from robosmi.transformations.chains.stages.moving import former_output
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
 from robosmi.transformations.chains.stages.refresh_findings import refresh_findings
 from robosmi.transformations.chains.stages.sources import last_run, project_folder
@@ -92,7 +94,7 @@ class Chosen(Generated):
         lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
         left = len(open_choices(self.models.plan))
         where = f" and in {self.updated_project}" if self.project is not None else ""
-        lines.append(f"{would}saved in the plan{where}; {left} choice{'s' * (left != 1)} open")
+        lines.append(f"{would}saved in the plan{where}; {quantity(left, 'choice')} open")
         if every_file:
             return [*lines, *self.diff.splitlines()]
         main = f"{self.sketch.name}/{self.sketch.name}."
@@ -230,7 +232,10 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
             raise SourceError(f"a role is kept there, and {change.stays}", location=Location(str(project)), fix=fix)
         roles = {name: role for name, role in {**known.roles, **entries_now}.items() if role is not None}
         files, arguments = run
-        made = migrate(
+        former = arguments.pop("moved_from", None)
+        if former is not None and former_output([former]) is not None:
+            files = [former]
+        made = migrate_or_move(
             files, folder, project=replace(known, roles=roles), outside=lambda: change.files, dry_run=dry_run, **arguments
         )
     chosen = dict(answers)
@@ -297,14 +302,23 @@ def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: 
     for identity, value in chosen.items():
         decision = the_choice(models.plan, identity).decision
         how = answer(models.plan, decision)
-        key = key_of(folder / FILE_NAME, how.table, names_of(decision), how.subject)
-        entries.setdefault(how.table, {})[key] = value or None
+        table = _table(how.table, models.plan, settings)
+        key = key_of(folder / FILE_NAME, table, names_of(decision), how.subject)
+        entries.setdefault(table, {})[key] = value or None
     change = changed_project(folder, entries)
     tables = {"bind": settings.bind, "libraries": settings.libraries}
+    tables |= {table: {} for table in entries if table not in tables}
     others = [f'{key} = "{tables[t][key]}"' for t, values in entries.items() for key in values if key in tables[t]]
     if change.stays and others:
         return replace(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
     return change
+
+
+def _table(table: str, plan: migration.MigrationPlan, settings: Project) -> str:
+    """The table for a choice: for pins of a plan that was moved to another board than the project's, that of its target."""
+    target = str(plan.targetDescription.name) if plan.targetDescription is not None else ""
+    own = plan.move is not None and target and settings.target != target
+    return f"{table}.{target}" if table == "bind" and own else table
 
 
 def names_of(decision: migration.Decision) -> tuple[str, ...]:

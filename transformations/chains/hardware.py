@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
@@ -39,7 +40,7 @@ class HardwareAnalysis(Struct, frozen=True):
         titles = ", ".join(b.title for b in drawn)
         shown = [c for c in self.circuit.components if c.role not in (hw.Role.Decoration, hw.Role.Passive)]
         between = [c for c in self.circuit.components if c.role is hw.Role.Passive]
-        counts = f"{len(self.circuit.components)} components, {len(self.connections)} connections"
+        counts = f"{quantity(len(self.circuit.components), 'component')}, {quantity(len(self.connections), 'connection')}"
         lines = [f"{titles or 'no board'}: {counts}", ""]
         rows = [(_title(c), c.partTitle or c.partId, c.role.name + (", driver" if c.driver else "")) for c in shown]
         lines += table(("component", "part", "role"), rows)

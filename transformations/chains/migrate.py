@@ -35,9 +35,10 @@ from robosmi.transformations.chains.stages.constraint_sets import added_findings
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.stages.import_choices import import_choices
 from robosmi.transformations.chains.stages.models import MigrationModels
+from robosmi.transformations.chains.stages.moving import Moving, merged_choices
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
 from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
-from robosmi.transformations.chains.stages.ports import bindings, pins_to_choose, ports
+from robosmi.transformations.chains.stages.ports import bindings, pins_of_project, pins_to_choose, ports
 from robosmi.transformations.chains.stages.program import (
     ProgramFiles,
     StoredProgram,
@@ -334,7 +335,8 @@ def models(
         from robosmi.transformations.m2m.adapters.console_wait import set_console_wait  # few projects set it
 
         set_console_wait(emitted(plan), settings.console_wait_ms)
-    flags, project = {"bind": bind, "libraries": libraries}, {"bind": settings.bind, "libraries": settings.libraries}
+    said_pins = pins_of_project(settings, target).pins
+    flags, project = {"bind": bind, "libraries": libraries}, {"bind": said_pins, "libraries": settings.libraries}
     if kept is not None:
         plan.findings.extend(plan_findings(plan, place_findings(kept.left, plan, files), places))
         settle_tasks(plan)
@@ -430,6 +432,7 @@ def migrate(
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
     verify: bool = False,
+    moved: Moving | None = None,
     outside: Callable[[], ExternalFiles] | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
@@ -446,6 +449,7 @@ def migrate(
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
         verify: compare what was made with the original at the end; the verdict is a finding of the plan.
+        moved: the plan for another board that this one is made from.
         outside: asked, once persons have answered, for the files elsewhere that belong to the run; see `produce`.
 
     Raises:
@@ -456,10 +460,11 @@ def migrate(
     if not dry_run:
         recover(Path(output))  # what a killed run has begun there may be a change of the project file, too
     chosen, adopted = dict(libraries or {}), import_choices(Path(output))
+    stored = adopted.choices if moved is None else merged_choices(adopted.choices, moved.carried.choices)
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         from_board=source_board, include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench, ranker_name=ranker, stored=adopted.choices,
+        history=history, widths=widths, bench=bench, ranker_name=ranker, stored=stored,
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():
@@ -472,10 +477,12 @@ def migrate(
             if ask_ports is not None and ports_left and (pins := ask_ports(ports_left, pins_to_choose(models.plan))):
                 run.give(bind={**(bind or {}), **pins})
                 models = run.value("models", MigrationModels)
+        if moved is not None:
+            moved.finish(models.plan)
         models.notes += adopted.notes
         beyond = outside() if outside is not None else {}
         made = produce(models, Path(output), inputs=adopted.inputs, outside=beyond, dry_run=dry_run, strict=strict)
-    if made.written:
+    if made.written and (moved is None or not moved.copied):
         told: dict[str, Any] = {
             "hardware": Path(hardware) if hardware is not None else None,
             "include_dirs": [Path(each) for each in include_dirs],
@@ -488,6 +495,8 @@ def migrate(
             "adapters": adapters,
             "ranker": ranker,
         }
+        if moved is not None:
+            told |= {"moved_from": moved.place, "hardware": Path(hardware) if hardware and moved.table is None else None}
         remember_sources(Path(output), models.plan, models.places, files, {**told, "widths": widths, "bench": bench})
     remember(made, history)
     return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made

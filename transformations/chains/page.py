@@ -13,6 +13,7 @@ from typing import Any
 
 from robosmi import inputs, templates
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError
 from robosmi.files.commit import update
 from robosmi.files.files import digest
@@ -155,7 +156,7 @@ class PlanPage:
             if what == "undo":
                 back = undo(self.output)
                 return (
-                    f"Undone: {len(back.restored) + len(back.removed)} files restored.",
+                    f"Undone: {quantity(len(back.restored) + len(back.removed), 'file')} restored.",
                     f"robosmi undo {self.output}",
                     "",
                 )

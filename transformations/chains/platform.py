@@ -16,6 +16,7 @@ from msgspec import Struct
 
 from robosmi import inputs, resources
 from robosmi.base.data_text import as_table, json_of, json_written
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.files.files import write_atomic
@@ -39,7 +40,9 @@ class PlatformImport(Struct, frozen=True):
     def lines(self) -> list[str]:
         """What a person reads."""
         totals = self.result["totals"]
-        lines = [f"{len(self.result['added'])} headers to {self.folder}: " + ", ".join(f"{totals[k]} {k}" for k in totals)]
+        lines = [
+            f"{quantity(len(self.result['added']), 'header')} to {self.folder}: " + ", ".join(f"{totals[k]} {k}" for k in totals)
+        ]
         if self.result["missing"]:
             lines.append(f"  headers not found: {', '.join(self.result['missing'][:10])}")
         return [*lines, f"use it: --source-platform {self.result['platform']}"]

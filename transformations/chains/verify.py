@@ -15,6 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.progress_events import announce, remark
+from robosmi.base.quantities import quantity
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
@@ -71,7 +72,6 @@ from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from robosmi.verify.traces.verdict import (
     DIFFERENT_VERDICT,
     NO_DIFFERENCE,
@@ -256,7 +256,7 @@ def _compared(
         cases, made = _cases(program, ports, models, given, plan_file.parent / FOLDER, seed, verdict, limits)
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
-        announce(f"run the migrated program in {len(cases)} test case{'s' * (len(cases) != 1)}")
+        announce(f"run the migrated program in {quantity(len(cases), 'test case')}")
         one_thread, at_rest = plan.concurrency is None, resting_pins(plan)
         compared = compare_scenarios(program, ports, cases, side, one_thread, at_rest, whole=vcd is not None)
         kept = [*compared.kept, *_started_again(program, ports, compared.kept, side, one_thread, at_rest)]
@@ -353,7 +353,7 @@ def _source_mv(plan: migration.MigrationPlan) -> float:
 
 def _sketch_files(output: Path) -> list[Path]:
     """The files of the migrated program as it is now."""
-    sketch, _ = find_sketch(output, load_toolchains())
+    sketch, _ = find_sketch(output)
     return [sketch.main, *sketch.parts, *(path for path in sorted(sketch.folder.glob("*")) if path.suffix in (".h", ".hpp"))]
 
 

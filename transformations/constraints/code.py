@@ -5,6 +5,7 @@ A program that compiles satisfies them; one that is only parsed, or assembled fr
 
 from __future__ import annotations
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind, root_of
@@ -50,9 +51,7 @@ def PassesWhatIsTaken(c: ccode.Call) -> bool | Fail:
     """A call of a function of the program passes as many arguments as the function has parameters."""
     assert c.callee is not None
     given, taken = len(c.arguments), len(c.callee.parameters)
-    return given == taken or Fail(
-        f"{c.calleeName} takes {taken} argument{'s' if taken != 1 else ''}, but the call passes {given}"
-    )
+    return given == taken or Fail(f"{c.calleeName} takes {quantity(taken, 'argument')}, but the call passes {given}")
 
 
 functions = code.context(ccode.Function, guard=has_external_linkage)

@@ -5,6 +5,7 @@ Text is not affected: comparing with an ASCII character, or passing a value on a
 
 from __future__ import annotations
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move, together
@@ -57,7 +58,7 @@ def CountsAsBefore(unit: ccode.SourceUnit) -> bool | Fail:
     ]  # fmt: skip
     some += [a.right for a in view.of_kind(ccode.Assignment) if a.operator == "=" and _is_out(m, a.right) and _is_char(m, a.left)]
     found = sorted((e for e in some if e is not None), key=lambda e: e.startOffset)
-    return not found or together(f"{len(found)} plain char{'s' * (len(found) > 1)} may have values above 127 or below 0", found)
+    return not found or together(f"{quantity(len(found), 'plain char')} may have values above 127 or below 0", found)
 
 
 def _may_be_high(m: Move, expression: ccode.Expression | None) -> bool:

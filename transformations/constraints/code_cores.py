@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -122,9 +123,7 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> bool | Fail:
     chip = board.microcontroller if board is not None else None
     of = f" of {chip.ramBytes}" if chip is not None and chip.ramBytes else ""
     places = len({(change.unit, change.startOffset) for change in shared.changes if "yield" in change.replacement})
-    gives = (
-        f"; yield() is inserted in {places} place{'s' * (places != 1)} where the program waits without a call" if places else ""
-    )
+    gives = f"; yield() is inserted in {quantity(places, 'place')} where the program waits without a call" if places else ""
     turns = "take" if len(shared.functions) > 1 else "takes"
     return together(
         f"{names} {turns} turns with main: at most {shared.slots} at once, each with a stack of {shared.stackBytes} bytes "

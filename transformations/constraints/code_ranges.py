@@ -40,7 +40,7 @@ def _ranges(call: ccode.Call) -> list[platform.ArgumentRange]:
 def _numbers(argument: ccode.Expression, m: Move) -> set[int]:
     """The statically known values of an argument; it may have others."""
     known = {value.number for value in m.masks.values(argument)}
-    return {number for number in known | (m.masks.numbers(argument) or set()) if number is not None}
+    return {number for number in known | (m.masks.numbers(argument) or frozenset()) if number is not None}
 
 
 def _serves(one: platform.ArgumentRange, number: int) -> bool:

@@ -1,4 +1,4 @@
-"""All electrical constraints on circuits: supplies, signals, loads, buses (rules RS230 to RS256).
+"""All electrical constraints on circuits: supplies, signals, loads, buses.
 
 Constraints that need a plan, with the program and the chosen libraries, are in `electrical_plan`.
 """

@@ -1,12 +1,13 @@
 """Constraints on program, drawing and libraries in combination: directions, timers, serial port, number of pins.
 
-They apply to a plan with a drawing (rules RS260 to RS268). Constraints on the drawing alone are in `electrical`.
+They apply to a plan with a drawing. Constraints on the drawing alone are in `electrical`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.model import EmfModel
@@ -329,23 +330,21 @@ def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
     if len(used) <= has:
         return True
     assert p.board is not None
-    return Fail(f"the program uses {len(used)} pins, but {p.board.title or p.board.name} has {has}", used=len(used), has=has)
+    return Fail(
+        f"the program uses {quantity(len(used), 'pin')}, but {p.board.title or p.board.name} has {has}", used=len(used), has=has
+    )
 
 
 @plans.constraint(id="RS268", location=place, advice="separate the pins in the drawing, or bind one of the ports to another pin")
 def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
     """Pins that the program drives are not connected to each other."""
     w, board = wired(p), p.boardComponent
-    written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := _pin(b)) is not None}
+    written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := bound_pin(b)) is not None}
     for _, net in w.nets(board) if board is not None else ():
         labels = [label for owner, label in w.pins_at(net) if owner is board and label in written]
         if len(labels) > 1 and not net.rail:
             return Fail(f"the program drives {listed(labels)}, which are joined in the drawing", pins=", ".join(labels))
     return True
-
-
-def _pin(binding: migration.PortBinding) -> platform.Pin | None:
-    return binding.connection.pin if binding.connection is not None else binding.pin
 
 
 @plans.critique(id="RS263", location=place, advice="choose another library for one of them")

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import takewhile
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model import EmfModel
@@ -235,7 +236,7 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     known = f"; its adapter {'; '.join(str(limit) for limit in u.adapter.limits)}" if u.adapter.limits else ""
     count = len(u.calls) + len(MacroCalls(plan_of(u)).of(u))
     return Fail(
-        f"'{u.name}' ({count} call{'s' * (count != 1)}) reads {names}, "
+        f"'{u.name}' ({quantity(count, 'call')}) reads {names}, "
         f"but {'it is' if len(missing) == 1 else 'they are'} not wired{known}"
     )
 

@@ -54,7 +54,7 @@ _DRAWN_KEYS = {
     "drawn_chips": ("chips", "least_pins", "most_pins"),
     "drawn_symbols": ("called", "not"),
 }
-_BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
+_BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud", "tool")
 _MAPPING_KEYS = (
     "fqbn", "fqbn_also", "platformio", "variant", "define", "extra_flags", "flash_bytes", "ram_bytes", "core", "numbers",
     "interrupts", "literals",
@@ -115,14 +115,16 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
 
 def _boot_loader(entry: DataTable) -> platform.BootLoader:
     check_keys(entry, _BOOT_LOADER_KEYS)
-    bauds = list(entry.numbers("bauds"))
-    if not bauds or min(bauds) <= 0:
+    tool = entry.text("tool", "")
+    bauds = list(entry.numbers("bauds", () if tool else None))
+    if (not bauds and not tool) or min(bauds, default=1) <= 0:
         raise entry.error("bauds", "must have one baud rate or more")
     return platform.BootLoader(
         programmer=entry.text("programmer"),
         bauds=bauds,
-        bytes=entry.number("bytes"),
+        bytes=entry.number("bytes") if "bytes" in entry.values or not tool else 0,
         touchBaud=entry.optional_number("touch_baud") or 0,
+        tool=tool,
     )
 
 

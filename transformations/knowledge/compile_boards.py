@@ -60,7 +60,7 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         flash_bytes=int(mapping.flashBytes),
         ram_bytes=int(mapping.ramBytes),
         folders=(variant,) if variant is not None else (),
-        boot_loader=_boot_loader(board.bootLoader, chip),
+        boot_loader=_boot_loader(board.bootLoader, chip, mapping),
         signature=str(chip.signature),
         file=mapping_file(platform_name, str(board.name), project),
         claims=board_claims(platform_name, board, mapping, project),
@@ -68,15 +68,14 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
     )  # fmt: skip
 
 
-def _boot_loader(found: platform.BootLoader | None, chip: platform.Microcontroller) -> BootLoader | None:
+def _boot_loader(
+    found: platform.BootLoader | None, chip: platform.Microcontroller, mapping: platform.BoardMapping
+) -> BootLoader | None:
     if found is None:
         return None
-    return BootLoader(
-        str(found.programmer),
-        tuple(int(baud) for baud in found.bauds),
-        int(chip.flashBytes) - int(found.bytes),
-        int(found.touchBaud),
-    )
+    takes = int(mapping.flashBytes) if found.tool else int(chip.flashBytes) - int(found.bytes)
+    bauds = tuple(int(baud) for baud in found.bauds)
+    return BootLoader(str(found.programmer), bauds, takes, int(found.touchBaud), str(found.tool))
 
 
 _PORT = re.compile(r"P([A-L])([0-7])")

@@ -24,7 +24,7 @@ from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY, Libra
 from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
-from robosmi.transformations.m2m.partition.text_changes import mark_rewritten
+from robosmi.transformations.m2m.partition.text_changes import mark_rewritten, settle_lists
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.ports.port_registers import change_registers
 from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, port_changes
@@ -34,7 +34,7 @@ from robosmi.transformations.queries.plans.binding_edits import TRACED
 from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_pins
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.ports.ports import ProgramPorts
-from robosmi.transformations.queries.source_text import words_of
+from robosmi.transformations.queries.source_text import SourceText, words_of
 
 
 class UserLibraries(Struct, frozen=True):
@@ -237,6 +237,7 @@ def put_together(
         explicit_enumerators(plan, d.files)
     settle_libraries(plan)
     close_idle_choices(plan)
+    settle_lists(plan, [SourceText(u, d.files[u.path], ()) for u in plan.program.units] if plan.program else [])
     mark_rewritten(plan)
     complete(plan, [*d.findings, *check(plan)], d.paths)
     plan.trace = trace.to_model()

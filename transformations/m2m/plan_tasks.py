@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.model.elements.strict import enum_literal
@@ -17,6 +18,7 @@ from robosmi.transformations.m2m.adapters.adapter_choice import NO_ADAPTER, sett
 from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
+from robosmi.transformations.m2m.moved_choices import update_move
 from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
@@ -24,7 +26,7 @@ from robosmi.transformations.queries.plans.binding_edits import binding_links, r
 from robosmi.transformations.queries.plans.kept_pins import lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, source_name
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, bound_pin, source_name
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS
 from robosmi.transformations.queries.ports.idle_ports import is_idle
@@ -104,6 +106,7 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
     settle_libraries(plan)
     settle_bindings(plan, [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else [])
     settle_tasks(plan)
+    update_move(plan)
 
 
 def settle_tasks(plan: migration.MigrationPlan) -> None:
@@ -160,7 +163,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
         yield Task(
             rule="RS501",
             severity=Level.warning,
-            message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}{why}",
+            message=f"write the body of '{target_signature(adapter)}', called {quantity(count, 'time')}{why}",
             effort=body_effort(adapter),
             fix=f"{_where(plan, adapter)}: implement '{adapter.signature}' for the target"
             + ("; or also give the file that defines it" if adapter.function is None else ""),
@@ -366,7 +369,7 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
                 fix="remove the wire, or keep it unused",
                 elements=[binding],
             )
-    bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
+    bound = {id(pin) for b in plan.portBindings if (pin := bound_pin(b)) is not None}
     bound |= {id(b.answer.pin) for b in plan.portBindings if b.answer is not None}
     bound |= {id(pin) for pin in pins_for_motors(plan)}
     for connection in plan.connections:

@@ -12,7 +12,7 @@ from typing import Any
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.m2t.adapter_text import comment, declarations, includes, is_separated, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.circuits.circuit import pin_literal
@@ -114,8 +114,9 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
 def _changed_names(plan: migration.MigrationPlan) -> set[str]:
     """Names of the platform that the program assigns to."""
     units = plan.program.units if plan.program is not None else ()
-    places = [change.left for unit in units for change in all_of_kind(unit, ccode.Assignment)]
-    places += [step.operand for unit in units for step in all_of_kind(unit, ccode.Unary) if step.operator in _COUNTING]
+    elements = [element for unit in units for element in all_contents(unit)]
+    places = [each.left for each in elements if isinstance(each, ccode.Assignment)]
+    places += [each.operand for each in elements if isinstance(each, ccode.Unary) and each.operator in _COUNTING]
     names = (place for place in places if isinstance(place, ccode.NameReference))
     return {str(name.name) for name in names if name.target is None or isinstance(name.target, ccode.ExternalSymbol)}
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
@@ -162,8 +163,7 @@ def _cut(whole: Listed, lines: int) -> Listed:
 def works(plan: migration.MigrationPlan, work: Work) -> str:
     """A sentence on how many calls work, and what the others lack."""
     calls = work.calls
-    several = work.unread != 1
-    lost = f"{work.unread} call{'s' * several} in unreadable text not counted"
+    lost = f"{quantity(work.unread, 'call')} in unreadable text not counted"
     if keeps_platform(plan):
         count = kept_calls(plan)
         said = f"{count} calls of the platform stay as they are" if count != 1 else "1 call of the platform stays as it is"
@@ -182,7 +182,7 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
         else ""
     )
     functions = len(plan.adapterUses)
-    some = f"{work.working} of {calls['total']} calls of {functions} platform function{'s' * (functions != 1)} are ready{care}"
+    some = f"{work.working} of {calls['total']} calls of {quantity(functions, 'platform function')} are ready{care}"
     return "; ".join([some, *others, *[lost] * bool(work.unread)])
 
 
@@ -195,9 +195,9 @@ def decided(work: Work) -> str:
         return "no choices"
     if not left:
         made = "no choices" if not total else f"all {total} decided" if total != 1 else "1 decided"
-        calls = f"{waiting} call{'s' * (waiting != 1)}"
+        calls = quantity(waiting, "call")
         return f"{made}; {calls} may reach ports that have no pin: bind them by number (RS326, RS327)" if waiting else made
-    return f"{len(left)} of {total} choice{'s' * (total != 1)} open"
+    return f"{len(left)} of {quantity(total, 'choice')} open"
 
 
 def written(work: Work) -> str:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import hardware, migration
 from robosmi.report.notebook import bar, picture, quoted, table
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
@@ -24,7 +25,8 @@ def circuit_html(circuit: hardware.Circuit) -> str:
     ]
     drawn = picture(svg(circuit), f"the wiring of {circuit.name}")
     listed = table(("component", "part", "role"), rows)
-    return f"<p><b>{quoted(circuit.name)}</b></p>{drawn}<details><summary>{len(rows)} components</summary>{listed}</details>"
+    components = f"<details><summary>{quantity(len(rows), 'component')}</summary>{listed}</details>"
+    return f"<p><b>{quoted(circuit.name)}</b></p>{drawn}{components}"
 
 
 def plan_html(plan: migration.MigrationPlan) -> str:
@@ -36,8 +38,10 @@ def _parts(plan: migration.MigrationPlan) -> Iterator[str]:
     calls, left = call_sites(plan), len(open_choices(plan))
     board = plan.board.title or plan.board.name if plan.board is not None else "no board"
     share = calls["with_body"] / calls["total"] if calls["total"] else 1.0
-    yield f"<p><b>{quoted(plan.name)}</b> for {quoted(board)}: {calls['with_body']} of {calls['total']} calls have a body</p>"
-    yield f"{bar(share)}<p>{left} choice{'s' * (left != 1)} open, {len(plan.tasks)} tasks, {len(plan.findings)} findings</p>"
+    served = f"{calls['with_body']} of {quantity(calls['total'], 'call')} have a body"
+    yield f"<p><b>{quoted(plan.name)}</b> for {quoted(board)}: {served}</p>"
+    work = (quantity(left, "choice"), quantity(len(plan.tasks), "task"), quantity(len(plan.findings), "finding"))
+    yield f"{bar(share)}<p>{work[0]} open, {work[1]}, {work[2]}</p>"
     if plan.circuit is not None:
         yield picture(svg(plan.circuit, (), ports_by_pin(plan)), f"the wiring of {plan.name}")
     pins = {port: pin for pin, ports in ports_by_pin(plan).items() for port in ports}
@@ -54,7 +58,8 @@ def _parts(plan: migration.MigrationPlan) -> Iterator[str]:
     counts = {id(u): len(u.calls) + len(of_macros.of(u)) for u in plan.adapterUses}
     uses = [[quoted(u.signature), quoted(counts[id(u)]), quoted(u.status.name)] for u in plan.adapterUses]
     if uses:
-        yield f"<details><summary>{len(uses)} functions</summary>{table(('function', 'calls', 'status'), uses)}</details>"
+        functions = table(("function", "calls", "status"), uses)
+        yield f"<details><summary>{quantity(len(uses), 'function')}</summary>{functions}</details>"
 
 
 def _decision(decision: migration.Decision) -> list[str]:

@@ -18,6 +18,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
+from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.answers import answer
@@ -32,7 +33,7 @@ CHUNK = 25
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Notes"}
 
 
-def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Json]:
+def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Any]:
     """How much works, and how many constructs have each verdict; `known` are results for the plan that are known already."""
     known = known if known is not None else counted(plan, sources)
     screen = first_screen(plan, sources, known=known)
@@ -40,6 +41,7 @@ def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Co
     return {
         "works": screen.works, "needs": screen.needs, "shortages": list(screen.shortages),
         "totals": [(each.title, each.total) for each in (screen.decide, screen.write, screen.check)],
+        "moved": move_text(plan),
         "verdicts": [(name.replace("_", " "), count) for name, count in counts.items() if name != "total" and count],
     }  # fmt: skip
 
@@ -261,7 +263,7 @@ def history(plan: migration.MigrationPlan) -> dict[str, Any]:
         )
         for c, d in made
     ]
-    return {"rows": sorted(rows, key=lambda row: (row[0] == "", row[0])), "tool": str(plan.toolVersion),
+    return {"rows": sorted(rows, key=lambda row: (row[0] == "", row[0])), "moved": move_text(plan), "tool": str(plan.toolVersion),
             "inputs": [(str(i.kind), str(i.origin), str(i.digest)[:12]) for i in plan.inputs]}  # fmt: skip
 
 

@@ -208,11 +208,15 @@ def _lines(text: str) -> str:
 
 
 def _stem(own: str, plan: migration.MigrationPlan) -> str:
-    """The stem of a unit's .cpp file: its own, or its whole name with underscores if another unit has the same stem."""
+    """The stem of a unit's .cpp file: its own, or its whole name with underscores if another unit has the same stem.
+
+    An underscore comes before what a compiler would take for an option (`-x.c`) or for a file with options (`@x.c`).
+    """
     stem = own.rpartition(".")[0]
     names = [u.path.rpartition("/")[2] for u in plan.program.units] if plan.program is not None else []
     same = [n for n in names if n.rpartition(".")[0] == stem and not n.lower().endswith(HEADERS)]
-    return stem if len(same) == 1 and stem != plan.name else own.replace(".", "_")
+    alone = len(same) == 1 and stem != plan.name
+    return f"{'_' if own.startswith(('-', '@')) else ''}{stem if alone else own.replace('.', '_')}"
 
 
 def _comment_beside(include: ccode.Include, source: SourceText) -> str:

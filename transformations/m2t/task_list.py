@@ -10,13 +10,15 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
+from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
-from robosmi.transformations.queries.plans.port_pins import source_name
+from robosmi.transformations.queries.plans.port_pins import bound_pin, source_name
 from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
@@ -49,6 +51,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "screen": screen,
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
+        "moved": move_text(plan),
         "conflicts": [_conflict(task) for task in plan.tasks if task.texts],
         "findings": [
             _said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, tasks)
@@ -156,7 +159,7 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
 
 
 def _target(binding: migration.PortBinding) -> str:
-    pin = binding.connection.pin if binding.connection is not None else binding.pin
+    pin = bound_pin(binding)
     if pin is None:
         return "not connected" if not binding.open else "open: its calls do nothing"
     answer = binding.answer.pin if binding.answer is not None and binding.answer is not binding.connection else None
@@ -204,7 +207,7 @@ def _counts(judged: Sequence[Construct]) -> str:
     """How many constructs have each verdict, in words; the first number is their sum."""
     counts = verdict_counts(judged)
     summed = ", ".join(f"{counts[verdict]} {word}" for verdict, word in VERDICT_WORDS.items() if counts[verdict])
-    return f"{counts['total']} element{'s' * (counts['total'] != 1)}: {summed or 'none'}."
+    return f"{quantity(counts['total'], 'element')}: {summed or 'none'}."
 
 
 def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, Json]:

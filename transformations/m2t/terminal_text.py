@@ -7,6 +7,7 @@ from pathlib import Path
 
 from robosmi.metamodels import migration
 from robosmi.transformations.m2t.first_screen import Counted, Item, Listed, first_screen
+from robosmi.transformations.m2t.move_text import move_lines
 
 _INDENT = "  "
 
@@ -29,6 +30,8 @@ def terminal_lines(
     screen = first_screen(plan, sources, known=known)
     lines = [f"{'generated' if made else 'would generate'} {sketch} for {board}"]
     lines += [_sum("too big", short) for short in screen.shortages]
+    if moved := move_lines(plan):
+        lines += [_sum("moved", moved[0]), *(f"{_INDENT}{line}" for line in moved[1:])]
     known_build = "" if plan.build is not None else "; not compiled yet"
     lines.append(_sum("works", screen.works + {None: known_build, True: "; compiles", False: "; does not compile"}[compiles]))
     for word, each in (("decide", screen.decide), ("write", screen.write), ("check", screen.check)):

@@ -13,7 +13,7 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.files.files import within
 
 MOST_FILES = 1_000
@@ -80,7 +80,7 @@ class DrawingFolder:
         self._room -= len(data)
         if self._room < 0 or len(self.companions) >= MOST_FILES:
             most = f"{MOST_FILES:,} files and {inputs.DRAWING.limit}"
-            raise SourceError(f"the drawing has more than {most}", location=place, fix="split the drawing")
+            raise TooLargeError(f"the drawing has more than {most}", location=place, fix="split the drawing")
         self._read[name] = data
         self.companions.append(name)
         return data

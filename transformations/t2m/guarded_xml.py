@@ -12,7 +12,7 @@ from typing import Any
 from lxml import etree
 
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 
 MAX_TAGS = 2_000_000
 """Tags in one XML text: the largest public sketch has under 60,000."""
@@ -44,7 +44,7 @@ def parse_xml(
         if not allowed:
             raise _refused_doctype(path, what, tool, data.count(b"\n", 0, found.end()) + 1, doctype)
     if data.count(b"<") > MAX_TAGS:
-        raise SourceError(
+        raise TooLargeError(
             f"'{what}' has more than {MAX_TAGS:_} tags".replace("_", ","),
             location=Location(path),
             fix=f"check that it is a drawing of {tool}",

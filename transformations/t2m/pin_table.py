@@ -20,8 +20,9 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.base.data_text import toml_of
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, did_you_mean
+from robosmi.errors import SourceError, TooLargeError, did_you_mean
 from robosmi.metamodels import hardware, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.project import default_text, project_of
@@ -285,7 +286,11 @@ class _Table:
 
     def _count(self, row: _Row, parts: int) -> None:
         if parts > MOST_PARTS:
-            raise self._error(row, f"the table has more than {MOST_PARTS:,} parts", "leave out what the program does not use")
+            raise TooLargeError(
+                f"the table has more than {MOST_PARTS:,} parts",
+                location=Location(self.path, row.line),
+                fix="leave out what the program does not use",
+            )
 
     def _label(self, row: _Row) -> str:
         return self.labels.get(row["pin"].lower()) or normalised_label(row["pin"]) or row["pin"]
@@ -359,7 +364,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
             raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
         if len(cells) > len(header):
             raise SourceError(
-                f"a row has {len(cells)} cells, but the header has {len(header)}",
+                f"a row has {quantity(len(cells), 'cell')}, but the header has {len(header)}",
                 location=Location(str(path), number),
                 fix="put cells that contain a comma in quotes",
             )

@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_data import HeaderContent
 from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
@@ -179,7 +179,7 @@ def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, li
         if path.suffix.lower() in ENDINGS:
             headers.append(path)
     if len(headers) > MOST:
-        raise SourceError(
+        raise TooLargeError(
             f"this folder has {len(headers)} headers, but the limit is {MOST}",
             location=Location(str(folder)), fix="give the folder of the platform's own headers",
         )  # fmt: skip

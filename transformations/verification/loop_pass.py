@@ -16,6 +16,7 @@ from robosmi.transformations.verification.bound_devices.played_devices import br
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, late_devices
 from robosmi.transformations.verification.original_side import SETTLED, SourceRuns, channel_events
+from robosmi.transformations.verification.pause_comparison import observed_pauses
 from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.verify.original import LibraryCall, Original
 from robosmi.verify.scenario import Scenario
@@ -72,7 +73,8 @@ def runs_a_pass_apart(
                 if name in runs.channels
             }
             rests = {name: [each] for name, each in observed_rests(run.trace, ports, target=False).items()}
-            found.append(SourceRuns(run, (), channels, loop=runs.loop, rests=rests))
+            pauses = {name: [each] for name, each in observed_pauses(run.trace, ports, target=False).items()}
+            found.append(SourceRuns(run, (), channels, loop=runs.loop, rests=rests, pauses=pauses))
     return found
 
 

@@ -24,6 +24,7 @@ from robosmi.transformations.verification.bound_devices.played_devices import br
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.bound_devices.simulated_kinds import SimulatedKind, device_facts
 from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, moved_devices, put_down_anywhere
+from robosmi.transformations.verification.pause_comparison import Pause, observed_pauses
 from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, stored_events
 from robosmi.verify.original import Original, OriginalRun, Variation
@@ -110,6 +111,7 @@ class SourceRuns(Struct, frozen=True):
         given_up: status of the run that reached a limit, after which there are no runs; empty if there was none.
         loop: the closed loop in which the program waits for what it drives, if it does.
         rests: name of each device that comes to rest -> its places of rest in the nominal run, then in each varied run.
+        pauses: name of each device that is asked -> the program's pauses in the nominal run, then in each varied run.
     """
 
     nominal: OriginalRun
@@ -118,6 +120,7 @@ class SourceRuns(Struct, frozen=True):
     given_up: str = ""
     loop: ClosedLoop | None = None
     rests: dict[str, list[list[Rest]]] = {}
+    pauses: dict[str, list[list[Pause]]] = {}
 
     @property
     def unsteady(self) -> bool:
@@ -305,8 +308,9 @@ def run_varied(
     until = used_s() + limit_s
     seen = [channel_events(nominal.trace, ports, target=False) if own is None else own]
     rests = {name: [each] for name, each in observed_rests(nominal.trace, ports, target=False).items()}
+    pauses = {name: [each] for name, each in observed_pauses(nominal.trace, ports, target=False).items()}
     loop = _loop(nominal.trace, ports)
-    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop, rests)
+    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop, rests, pauses)
     full = is_always_full(nominal.trace)
     for variation in _FACTORS if not runs.given_up else ():
         if full and variation.line_part < 0:
@@ -318,8 +322,9 @@ def run_varied(
             return replace(runs, given_up=run.status)
         seen.append(channel_events(run.trace, ports, target=False))
         rests = _with_rests(rests, run.trace, ports)
+        pauses = _with_pauses(pauses, run.trace, ports)
         emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
-        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop, rests=rests)
+        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop, rests=rests, pauses=pauses)
         if until_racy and runs.nondeterministic_channels:
             return runs
 
@@ -360,7 +365,7 @@ def run_further(
     """
     devices = played(ports, scenario, target=False)
     until = used_s() + limit_s
-    channels, rests = runs.channels, runs.rests
+    channels, rests, pauses = runs.channels, runs.rests, runs.pauses
     for number, variation in enumerate(_FURTHER):
         chance = random.Random(variation.seed)
         ways = (-MOVED_MS, MOVED_MS)
@@ -371,7 +376,8 @@ def run_further(
         seen = channel_events(run.trace, ports, target=False)
         channels = {name: [[*events, seen[name][sight]] for sight, events in enumerate(each)] for name, each in channels.items()}
         rests = _with_rests(rests, run.trace, ports)
-    return replace(runs, channels=channels, rests=rests)
+        pauses = _with_pauses(pauses, run.trace, ports)
+    return replace(runs, channels=channels, rests=rests, pauses=pauses)
 
 
 def _with_rests(
@@ -380,6 +386,14 @@ def _with_rests(
     """The places of rest, with those of one more run of the source added."""
     seen = observed_rests(trace, ports, target=False)
     return {name: [*each, seen[name]] for name, each in rests.items()}
+
+
+def _with_pauses(
+    pauses: Mapping[str, list[list[Pause]]], trace: PinTrace, ports: Sequence[BoundPort]
+) -> dict[str, list[list[Pause]]]:
+    """The pauses between questions, with those of one more run of the source added."""
+    seen = observed_pauses(trace, ports, target=False)
+    return {name: [*each, seen[name]] for name, each in pauses.items()}
 
 
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import asdict
 
+from robosmi.base.quantities import quantity
 from robosmi.plugins import content
 from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report import Report
@@ -59,12 +60,12 @@ def run(arguments: _Arguments) -> Report:
     elif arguments.action == "forget":
         count = history.forget(arguments.part_id, arguments.part, arguments.library, everything=arguments.everything)
         report.result = {"place": history.place, "forgotten": count}
-        report.lines = [f"removed {count} choice{'s' if count != 1 else ''}"]
+        report.lines = [f"removed {quantity(count, 'choice')}"]
     elif arguments.action == "export":
         written: list[HistoryEntry] = content("chain", "history_export")(history, arguments.file)
         report.artifacts = [{"path": str(arguments.file), "kind": "history"}]
         report.result = {"place": history.place, "written": [str(arguments.file)], "count": len(written)}
-        report.lines = [f"wrote {len(written)} choices to {arguments.file}"]
+        report.lines = [f"wrote {quantity(len(written), 'choice')} to {arguments.file}"]
     else:
         found, changed = content("chain", "history_import")(history, arguments.file)
         report.result = {"place": history.place, "found": found, "added": changed, "skipped": found - changed}

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.plugins import content
 from robosmi.report import Report
@@ -63,7 +64,7 @@ def _import(folder: Path, platform: str) -> Report:
     ]
     names = [f"{name} {version}".rstrip() for name, version in done.added]
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    report.lines = [f"read {len(names)} libraries: {', '.join(names[:_SHOWN])}{more}"]
+    report.lines = [f"read {quantity(len(names), 'library', 'libraries')}: {', '.join(names[:_SHOWN])}{more}"]
     report.lines.append(f"your index {done.index} has {done.known}")
     if done.added:
         report.artifacts = [{"path": str(done.index), "kind": "index"}]

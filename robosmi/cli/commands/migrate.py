@@ -1,5 +1,7 @@
 """`robosmi migrate FILE... --hardware SKETCH -o OUT`: the whole way from a program and a drawing to a sketch.
 
+`robosmi migrate OUT --target NAME -o NEW` moves an output folder on to another board.
+
 Also: the prompts for choices that flags, project file, history and rules have left open. Asked only at a terminal.
 
 What is shown is the ranked list with its reasons; what is answered counts as a person's choice. An empty answer leaves the
@@ -14,12 +16,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
+from robosmi.base.quantities import quantity
 from robosmi.cli.common import add_source_board, add_source_options, command_line, output_folder, pairs
 from robosmi.cli.progress import progress
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
 from robosmi.plugins import content
-from robosmi.project import FILE_NAME, Accepted, project_of
+from robosmi.project import FILE_NAME, Accepted, Project
 from robosmi.quoting import terminal
 from robosmi.report import Report
 
@@ -52,8 +55,8 @@ def configure(parser: Options) -> None:
         help="generate adapters with bodies, or as placeholders to write yourself",
     )
     parser.add_argument(
-        "--widths", choices=("fix", "keep"), default="fix",
-        help="fix: numbers keep their widths of the source; keep: leave the types unchanged and report where it may matter",
+        "--widths", choices=("fix", "keep"),
+        help="fix (default): numbers keep their widths of the source; keep: leave the types and report where it may matter",
     )  # fmt: skip
     parser.add_argument("--ranker", metavar="NAME", help="ranker of libraries: devices (default), or tfidf, the paper's")
     parser.add_argument(
@@ -84,7 +87,7 @@ class _Arguments(argparse.Namespace):
     libraries: list[str]
     bind: list[str]
     adapters: str | None
-    widths: str
+    widths: str | None
     history: str | None
     ranker: str | None
     bench: bool
@@ -101,9 +104,11 @@ def run(arguments: _Arguments) -> Report:
     if not arguments.dry_run:
         recover(arguments.output)  # what a killed run has begun there may be a change of the project file, too
     first = arguments.files[0]
-    project = project_of(first)
-    answers = Answers() if may_ask(yes=arguments.yes, as_json=arguments.json) else None
-    beside = first if first.is_dir() else first.parent
+    project: Project = content("query", "migration_project")(arguments.files)
+    answers = (
+        Answers(bind_table=_bind_table(arguments.target, project)) if may_ask(yes=arguments.yes, as_json=arguments.json) else None
+    )
+    beside = project.path.parent if project.path is not None else first if first.is_dir() else first.parent
     with progress() as told:
         done: MigratedSketch = content("chain", "migrate")(
             arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
@@ -111,8 +116,10 @@ def run(arguments: _Arguments) -> Report:
             include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
-            widths=arguments.widths, ranker=arguments.ranker, bench=arguments.bench, verify=arguments.verify,
-            ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
+            **({"widths": arguments.widths} if arguments.widths is not None else {}),
+            ranker=arguments.ranker, bench=arguments.bench, verify=arguments.verify,
+            ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None,
+            ask_pins=answers.pins if answers else None, progress=told,
             outside=(lambda: answers.offer(beside)) if answers and not arguments.dry_run else None,
         )  # fmt: skip
     if done.verification is not None and (code := done.verification[1]):
@@ -123,6 +130,11 @@ def run(arguments: _Arguments) -> Report:
 
         serve(report, arguments.output, browser=not arguments.json)
     return report
+
+
+def _bind_table(target: str | None, project: Project) -> str:
+    """The table of the project file for pins of a target: one of its own where the file is for another target."""
+    return f"bind.{target}" if target is not None and project.target not in (None, target) else "bind"
 
 
 def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
@@ -221,16 +233,36 @@ def ask_ports(
     return said
 
 
+def ask_pins(rows: Sequence[Mapping[str, str]], *, answer: Callable[[str], str] = input, out: TextIO | None = None) -> bool:
+    """Ask whether proposed pins are right.
+
+    Args:
+        rows: the pins, each with the former pin (`before`), the proposed one (`pin`), the connection (`name`) and its `ports`.
+        answer: reads one line.
+        out: where is written; stdout if None.
+    """
+    print("\nProposed pins:", file=out or sys.stdout)
+    for row in rows:
+        ports = f"  {row['ports']}" if row["ports"] else ""
+        print(terminal(f"  {row['before']:5} -> {row['pin']:5} {row['name']}{ports}"), file=out or sys.stdout)
+    print("Use these pins? (y; Enter: stop)", file=out or sys.stdout)
+    try:
+        return answer("> ").strip().lower() in ("y", "yes")
+    except EOFError:
+        return False
+
+
 class Answers:
     """What a person answers in one run, to be kept where the person wishes.
 
     Args:
         answer: reads one line.
         out: where is written; stdout if None.
+        bind_table: the table of the project file for pins.
     """
 
-    def __init__(self, answer: Callable[[str], str] = input, out: TextIO | None = None) -> None:
-        self.answer, self.out = answer, out
+    def __init__(self, answer: Callable[[str], str] = input, out: TextIO | None = None, bind_table: str = "bind") -> None:
+        self.bind_table, self.answer, self.out = bind_table, answer, out
         self.said: dict[str, dict[str, str]] = {}
 
     def libraries(self, choices: Sequence[Mapping[str, Any]]) -> dict[str, str]:
@@ -242,8 +274,12 @@ class Answers:
     def ports(self, choices: Sequence[Mapping[str, Any]], pins: Sequence[str]) -> dict[str, str]:
         """Ask for pins; see `ask_ports`."""
         found = ask_ports(choices, pins, answer=self.answer, out=self.out)
-        self.said.setdefault("bind", {}).update(found)
+        self.said.setdefault(self.bind_table, {}).update(found)
         return found
+
+    def pins(self, rows: Sequence[Mapping[str, str]]) -> bool:
+        """Ask whether the pins that are proposed for another board are right; see `ask_pins`."""
+        return ask_pins(rows, answer=self.answer, out=self.out)
 
     def offer(self, folder: Path) -> ExternalFiles:
         """Offer to keep what was answered in the project file of a folder; what the file is to hold if the person wants it.
@@ -262,7 +298,7 @@ class Answers:
         if not change.files:
             return {}
         count, place = sum(len(each) for each in entries.values()), displayed_path(folder / FILE_NAME)
-        print(f"\nSave {count} answer{'s' * (count != 1)} in {terminal(place)}? (y; Enter: no)", file=self.out or sys.stdout)
+        print(f"\nSave {quantity(count, 'answer')} in {terminal(place)}? (y; Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")
         except EOFError:

@@ -7,10 +7,15 @@ from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from robosmi.base.data_text import json_written
 from robosmi.cli.common import pairs
 from robosmi.cli.streams import Shown
+from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import UsageError
 from robosmi.report import Report
+
+CORPUS = "corpus.sqlite"
+"""The file that marks the output folder of a corpus run."""
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -22,7 +27,7 @@ def configure(parser: Options) -> None:
         "model",
         metavar="MODEL",
         type=Path,
-        help="model file of any technology, or folder with tables; its name in EXPRESSION is M",
+        help="model file of any technology, folder with tables, or output folder of a corpus run; its name in EXPRESSION is M",
     )
     parser.add_argument("expression", metavar="EXPRESSION", help="for example 'Book.all.select(lambda b: b.year > 2000).name'")
     parser.add_argument("--driver", metavar="NAME", help="driver that opens MODEL (default: by its file extension)")
@@ -39,6 +44,11 @@ def configure(parser: Options) -> None:
         help="another model and its name in EXPRESSION",
     )
 
+    parser.add_argument(
+        "--kind", metavar="KIND", default="code",
+        help="of a corpus: the kind of models that are asked: code (default), hardware, plan or platform",
+    )  # fmt: skip
+
 
 class _Arguments(argparse.Namespace):
     """The options and arguments of the command."""
@@ -48,15 +58,18 @@ class _Arguments(argparse.Namespace):
     driver: str | None
     metamodels: list[Path]
     models: list[str]
+    kind: str
 
 
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
+    if (arguments.model / CORPUS).is_file():
+        return _over_corpus(arguments)
     from robosmi.model.ecore.metamodel import Metamodel
     from robosmi.model.emf import EmfModel
     from robosmi.model.opening import open_model
     from robosmi.query.answers import as_json, as_lines
-    from robosmi.query.expression import evaluate
+    from robosmi.query.expression import evaluate, named_queries
     from robosmi.query.models import ModelView
     from robosmi.query.run import Run
 
@@ -75,6 +88,31 @@ def run(arguments: _Arguments) -> Report:
     views = [ModelView(model) for model in models]
     shown = Shown()
     with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's
-        value = evaluate(arguments.expression, views, as_json)
+        value = evaluate(arguments.expression, views, as_json, named_queries())
     report.result, report.lines = {"value": value}, as_lines(value)
+    return report
+
+
+def _over_corpus(arguments: _Arguments) -> Report:
+    """The values of the expression over the models of all programs of a corpus, each with its program."""
+    from robosmi.corpus.model_queries import query_models
+    from robosmi.corpus.settings import cores
+    from robosmi.corpus.store import Store
+
+    if arguments.models or arguments.metamodels or arguments.driver:
+        raise UsageError("a query over a corpus takes no further models", fix="omit --model, --metamodel and --driver")
+    report = Report("query")
+    out = arguments.model.absolute()
+    with Store(out / CORPUS) as store:
+        answers = list(query_models(store, out, arguments.expression, kind=arguments.kind, jobs=cores()))
+    failed = sorted((answer for answer in answers if answer.error is not None), key=lambda answer: answer.program)
+    if len(failed) == len(answers):
+        raise UsageError(f"the expression has no value for any program: {failed[0].error}", fix="correct the expression")
+    report.findings = [
+        Finding("RS921", Severity.warning, f"no value for '{each.program}': {each.error}", element=each.program)
+        for each in failed
+    ]
+    found = sorted((answer for answer in answers if answer.error is None), key=lambda answer: answer.program)
+    report.result = {"value": [{"program": answer.program, "value": answer.value} for answer in found]}
+    report.lines = [f"{answer.program}: {json_written(answer.value, ensure_ascii=False)}" for answer in found]
     return report

@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
-    parser.add_argument("--port", metavar="PORT", required=True, help="serial port of the board, such as /dev/ttyACM0")
+    parser.add_argument(
+        "--port", metavar="PORT", help="serial port of the board, such as /dev/ttyACM0, or the folder of its drive; not needed "
+        "for a board that is a drive, or that its tool finds by itself",
+    )  # fmt: skip
     parser.add_argument("--build", metavar="DIR", type=output_folder, help="folder given to compile -o")
     parser.add_argument("--baud", metavar="N", type=int, help="baud rate of the boot loader (default: the board's)")
     parser.add_argument("--unfinished", action="store_true", help="upload even if bodies are still to be written")
@@ -27,7 +30,7 @@ class _Arguments(argparse.Namespace):
     """The options and arguments of the command."""
 
     output: Path
-    port: str
+    port: str | None
     build: Path | None
     baud: int | None
     unfinished: bool
@@ -46,7 +49,8 @@ def run(arguments: _Arguments) -> Report:
     report.result = done.to_json()
     what = "uploaded" if done.sent else "would upload"
     report.lines = [
-        f"{what} {done.bytes} bytes to '{done.board}' at {done.port} with {done.tool}",
+        f"{what} {done.bytes} bytes to '{done.board}'{f' at {done.port}' if done.port else ''} with {done.tool}",
         f"  {report.result['command']}",
+        *([f"  {done.note}"] if done.note else []),
     ]
     return report

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias, TypeVar
 
+from robosmi.base.quantities import quantity
 from robosmi.model.elements.by_name import feature_value
 from robosmi.model.elements.driver import (
     Item,
@@ -156,7 +157,7 @@ def items_html(items: Sequence[V], limit: int = 50) -> str:
     left = f"<p>... and {len(items) - limit} more</p>" if len(items) > limit else ""
     elements = [x for x in shown if is_element(x)]
     if not elements or len(elements) < len(shown):
-        return html_table((f"{len(items)} items",), [[x] for x in shown]) + left
+        return html_table((f"{quantity(len(items), 'item')}",), [[x] for x in shown]) + left
     names = [name for name, value in _features(elements[0]) if not isinstance(value, list)]
     lines = [[label(x), *(dict(_features(x)).get(name, "") for name in names)] for x in elements]
-    return html_table((f"{len(items)} elements", *names), lines) + left
+    return html_table((f"{quantity(len(items), 'element')}", *names), lines) + left

@@ -58,6 +58,8 @@ def walk(root: EObject) -> Iterator[DynamicEObject]:
     while stack:
         element = stack.pop()
         yield element
+        if element.__class__.__dict__.get("_robosmi_containments") == []:
+            continue  # most elements of a program cannot contain anything
         if held := contents(element):
             held.reverse()
             stack += held

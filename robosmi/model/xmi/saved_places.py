@@ -25,7 +25,7 @@ from robosmi.model.xmi.preserved_layout import NotPreservedError, preserve_layou
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
 from robosmi.model.xmi.xmi_reader import read_alone
 from robosmi.model.xmi.xmi_writer import roots_in, text_with, to_xmi
-from robosmi.model.xmi.xml_comments import comments_lost
+from robosmi.model.xmi.xml_comments import comments, comments_lost, qualified_names
 
 if TYPE_CHECKING:
     from robosmi.model.xmi.open_files import OpenFiles
@@ -81,6 +81,7 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     """The new text of a model in the layout of the file it was read from, if that is as it was and can be followed.
 
     Comments, encoding, the order of attributes and what is of no metamodel's namespace stay; a change is a change of few lines.
+    In another file a model without comments and foreign parts is as EMF writes it.
 
     Args:
         text: the text that is to be saved.
@@ -98,6 +99,8 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     known = Metamodels([*packages, *built_in().packages])
     before = _as_written(source, original, known, target)
     if before is None or before == original:  # the file's layout is ours
+        return text
+    if os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
         return text
     now = _as_written(target, text, known, target)
     if now is None:
@@ -120,6 +123,11 @@ def back_up_comments(target: Path, text: bytes) -> Path | None:
     copy = target.with_name(free_name(target.parent, f"{target.name}.orig"))
     write_atomic(copy, old)
     return copy
+
+
+def _has_more(original: bytes, written: bytes) -> bool:
+    """Whether a file has comments, or parts of other namespaces, that are not in what is written for its model."""
+    return bool(comments(original) or qualified_names(original) - qualified_names(written))
 
 
 _LARGE = 4_000_000

@@ -5,6 +5,8 @@ from __future__ import annotations
 from contextlib import suppress
 from xml.parsers import expat
 
+XSI = "http://www.w3.org/2001/XMLSchema-instance"
+
 
 def comments(data: bytes) -> list[tuple[int, str]]:
     """The comments and processing instructions of an XML file.
@@ -24,6 +26,16 @@ def comments(data: bytes) -> list[tuple[int, str]]:
     with suppress(expat.ExpatError, LookupError, ValueError):
         parser.Parse(data, True)
     return found
+
+
+def qualified_names(data: bytes) -> set[str]:
+    """The names of elements and attributes that have a namespace other than xsi's, as `NAMESPACE NAME`."""
+    found: set[str] = set()
+    parser = expat.ParserCreate(namespace_separator=" ")
+    parser.StartElementHandler = lambda name, attributes: found.update((name, *attributes))
+    with suppress(expat.ExpatError, LookupError, ValueError):
+        parser.Parse(data, True)
+    return {name for name in found if " " in name and not name.startswith(f"{XSI} ")}
 
 
 def comments_lost(old: bytes, new: bytes) -> list[int]:

@@ -21,12 +21,14 @@ class BootLoader(NamedTuple):
         bauds: its possible baud rates, the likeliest first.
         takes_bytes: the greatest program size, in bytes, that does not overwrite it.
         touch_baud: the baud rate at which opening and closing the port starts it; 0 if a reset does.
+        tool: the uploader that sends programs to it (a file of `uploaders`); empty for the toolchain's.
     """
 
     programmer: str
     bauds: tuple[int, ...]
     takes_bytes: int
     touch_baud: int = 0
+    tool: str = ""
 
 
 class Claim(NamedTuple):

@@ -31,6 +31,7 @@ from msgspec.structs import replace
 
 from robosmi import inputs
 from robosmi.base.progress_events import announce
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content
@@ -182,7 +183,7 @@ class Build(Struct):
     def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:
         """Compile files in parallel; returns the objects, the messages, and whether one failed."""
         into.mkdir(exist_ok=True)
-        announce(f"compile {len(sources)} file{'s' * (len(sources) != 1)} of the {use}")
+        announce(f"compile {quantity(len(sources), 'file')} of the {use}")
         objects = [into / f"{number}-{source.name}.o" for number, source in enumerate(sources)]
 
         def one(job: tuple[Path, Path]) -> tuple[str, bool]:

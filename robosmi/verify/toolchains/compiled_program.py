@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -29,7 +29,6 @@ from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.sketch import Sketch, check_inside, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 
 DATABASE = "compile_commands.json"
 _QUOTED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
@@ -75,7 +74,7 @@ def compile_into(
         SourceError: the folder cannot be written, or a link leads out of the output folder; and as `compile_sketch`.
         StoppedError: another run is writing there, or a file there is read-only.
     """
-    sketch, _ = find_sketch(Path(folder_or_sketch), load_toolchains(project))
+    sketch, _ = find_sketch(Path(folder_or_sketch), project)
     folder = into if into is not None else folder_of(Path(folder_or_sketch), sketch)
     sources = digests(sketch, folder)
     with temporary_folder("kept") as kept:
@@ -171,9 +170,18 @@ def digests(sketch: Sketch, kept_in: Path) -> dict[str, str]:
     return found
 
 
-def compiled_hex(folder: Path, sketch: Sketch) -> Path:
-    """Where the program of a sketch lies in a folder that `compile_into` has written."""
-    return folder / f"{sketch.main.stem}.hex"
+def compiled_file(folder: Path, sketch: Sketch, endings: Sequence[str] = (".hex",)) -> Path:
+    """Where the program of a sketch lies in a folder that `compile_into` has written.
+
+    Args:
+        folder: the folder.
+        sketch: the sketch.
+        endings: of the files that its board takes; the core decides which it makes. The last one where none of them is there.
+    """
+    every = [
+        path for ending in endings for path in (folder / f"{sketch.main.stem}{ending}", folder / f"{sketch.main.name}{ending}")
+    ]
+    return next((path for path in every if path.is_file()), folder / f"{sketch.main.stem}{endings[-1]}")
 
 
 def read_record(folder: Path, sketch: Sketch) -> BuildRecord | None:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -27,7 +27,7 @@ from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.output_paths import Places
 from robosmi.verify.toolchains.boards import Board, find_board
 from robosmi.verify.toolchains.prototypes import with_prototypes
-from robosmi.verify.toolchains.toolchain_data import Toolchain
+from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
 
 
 class Sketch(NamedTuple):
@@ -69,20 +69,22 @@ class Sketch(NamedTuple):
         return with_prototypes(text) if toolchain.sketch.flag("prototypes", False) else text
 
 
-def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, Toolchain]:
-    """The sketch at a path: its main file, its folder, or the folder above that (what was generated).
+def find_sketch(path: Path, project: Path | None = None) -> tuple[Sketch, Toolchain]:
+    """The sketch at a path, with its toolchain: its main file, its folder, or the folder above that (what was generated).
 
     Args:
         path: file or folder.
-        toolchains: whose sketches count.
+        project: the project folder, whose toolchains count, too; the current folder if None.
 
     Raises:
+        PlatformDataError: a toolchain's data is damaged.
         SourceError: there is none, or a link leads out of the output folder that it is in.
         UsageError: there are several.
     """
     if not path.exists():
         nowhere = "the path is a broken link" if path.is_symlink() else "no such file or folder"
         raise SourceError(nowhere, location=Location(str(path)), fix="give the output folder of `robosmi migrate`, or a sketch")
+    toolchains = load_toolchains(project)
     for toolchain in toolchains:
         suffix = toolchain.sketch.text("suffix")
         if path.is_file() and path.suffix == suffix:
@@ -189,9 +191,26 @@ def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     deep = folder / data.text("recursive")
     files = [*folder.glob("*"), *(deep.rglob("*") if deep.is_dir() else ())]
     sources = sorted(path for path in files if path.suffix in toolchain.suffixes and path.is_file() and path != main)
+    _check_names((main, *parts, *sources))
     name = data.text("project_file", "")
     project_file = _project_file(folder / name, data) if name and (folder / name).is_file() else None
     return Sketch(folder, main, tuple(parts), tuple(sources), project_file)
+
+
+def _check_names(files: Iterable[Path]) -> None:
+    """Make sure that no file has a name that a compiler takes for an option, or for the name of a file with options.
+
+    The path before it does not help: compilers pass the name alone to the programs that they consist of.
+
+    Raises:
+        SourceError: a name begins so.
+    """
+    for path in files:
+        if path.name.startswith(("-", "@")):
+            raise SourceError(
+                f"a compiler takes '{path.name}' for {'an option' if path.name[0] == '-' else 'a file with options'}",
+                location=Location(str(path)), fix=f"rename the file so that it does not begin with '{path.name[0]}'",
+            )  # fmt: skip
 
 
 def _project_file(path: Path, data: DataTable) -> ProjectFile:

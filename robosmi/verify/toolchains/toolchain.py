@@ -32,7 +32,7 @@ from robosmi.verify.toolchains.libraries import LibraryFolders
 from robosmi.verify.toolchains.recipes import DataRecipes, InstalledBoard, Recipes
 from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
-from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.toolchains.tools import find_installed
 
 _OFFERS = 3
@@ -82,7 +82,7 @@ def compile_sketch(
 def _compiled(
     place: Path, board: str | None, keep: Path | None, project: Path | None, started: float, changed: Changed | None = None
 ) -> CompileReport:
-    sketch, toolchain = find_sketch(place, load_toolchains(project))
+    sketch, toolchain = find_sketch(place, project)
     boards = load_boards(toolchain.platform, project)
     if (found := _board_without_data(sketch, boards, toolchain, board)) is not None:
         known = _without_options(found.board, boards, toolchain)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct, field
 
+from robosmi.base.quantities import quantity
 from robosmi.verify.missed_lines import format_ranges
 from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario
@@ -285,11 +286,11 @@ class Verdict(Struct):
         return "; ".join([said, *self._stood_in(), *self.all_reasons()])
 
     def _many(self) -> str:
-        return f"{len(self.scenarios)} test case{'s' * (len(self.scenarios) != 1)}"
+        return quantity(len(self.scenarios), "test case")
 
     def _outputs(self) -> str:
         """How many of the wired outputs were compared, in words."""
-        return f"{sum(self.outputs.values())} of {len(self.outputs)} output{'s' * (len(self.outputs) != 1)}"
+        return f"{sum(self.outputs.values())} of {quantity(len(self.outputs), 'output')}"
 
     def _headline(self) -> str:
         """The verdict with what it rests on, in one line."""
@@ -383,7 +384,7 @@ class Verdict(Struct):
 
 def _counted(events: int, status: str) -> str:
     """How many events were compared: where there were none, a channel that is the same says little."""
-    return f" ({events} event{'s' * (events != 1)})" if events or status == SAME else ""
+    return f" ({quantity(events, 'event')})" if events or status == SAME else ""
 
 
 def _ended(until_ms: float | None) -> str:

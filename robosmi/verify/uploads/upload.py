@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from filelock import FileLock, Timeout
 from msgspec import Struct
@@ -26,11 +26,12 @@ from robosmi.errors import PlatformDataError, SourceError, UploadError, UsageErr
 from robosmi.plugins import content
 from robosmi.verify.toolchains.boards import Board, BootLoader, find_board, load_boards
 from robosmi.verify.toolchains.build_record import BuildRecord
-from robosmi.verify.toolchains.compiled_program import compiled_hex, digests, folder_of, outside, read_record
+from robosmi.verify.toolchains.compiled_program import compiled_file, digests, folder_of, outside, read_record
 from robosmi.verify.toolchains.sketch import Sketch, find_sketch
-from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.uploads import serial_ports
-from robosmi.verify.uploads.uploader import Uploader, find_uploader
+from robosmi.verify.uploads.drives import copy_to, find_drive, is_drive, uf2_bytes, wait_for_drive
+from robosmi.verify.uploads.uploader import COPY, Uploader, find_uploader, uploader_data
 
 
 class UploadReport(Struct, frozen=True):
@@ -44,6 +45,7 @@ class UploadReport(Struct, frozen=True):
         port: the port that it was sent to; a board that starts anew may have another one than was named.
         sent: whether it was sent.
         seconds: how long it took.
+        note: what a person has to know of this way of sending; empty for nothing.
     """
 
     tool: str
@@ -53,6 +55,7 @@ class UploadReport(Struct, frozen=True):
     port: str
     sent: bool
     seconds: float
+    note: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form."""
@@ -65,13 +68,14 @@ class UploadReport(Struct, frozen=True):
             "port": self.port,
             "sent": self.sent,
             "seconds": round(self.seconds, 3),
+            **({"note": self.note} if self.note else {}),
         }
 
 
 @inputs.read_once()
 def upload_sketch(
     folder_or_sketch: str | Path,
-    port: str,
+    port: str | None = None,
     *,
     kept_in: Path | None = None,
     baud: int | None = None,
@@ -81,11 +85,12 @@ def upload_sketch(
 ) -> UploadReport:
     """Put the compiled program of a sketch on the board at a port.
 
-    The tool reads the signature of the board's microcontroller first, and sends nothing to another one.
+    The tool of the board is data. One that knows signatures reads that of the microcontroller first, and sends nothing to another
+    one; so does one that copies files to the board's drive, by what the drive says of the board.
 
     Args:
         folder_or_sketch: the generated folder, the sketch's folder in it, or its main file.
-        port: the serial port, as the system calls it.
+        port: the serial port, as the system calls it, or the folder of the board's drive; None where the tool finds the board.
         kept_in: the folder that the program was compiled into; the one that `compile` takes by itself if None.
         baud: the boot loader's baud rate; those of the board's data, one after the other, if None.
         unfinished: send a program with bodies that are still to be written, too.
@@ -100,60 +105,133 @@ def upload_sketch(
         UploadError: the board did not take the program.
         PlatformDataError: the repository's data is damaged, or says nothing about uploads to the board.
     """
-    if not port.strip() or "\0" in port:
+    if port is not None and (not port.strip() or "\0" in port):
         raise UsageError("the port's name is empty", fix="give --port PORT")
     if baud is not None and baud <= 0:
         raise UsageError(f"{baud} is not a baud rate", fix="omit it, or give the boot loader's baud rate")
     started = time.perf_counter()
     with acting(project):
         named = Path(folder_or_sketch)
-        sketch, toolchain = find_sketch(named, load_toolchains(project))
+        sketch, toolchain = find_sketch(named, project)
         folder = kept_in if kept_in is not None else folder_of(named, sketch)
         _harmless(sketch)
-        record, program = _kept(sketch, folder, named)
+        record = _record(sketch, folder, named)
         board = _board(record, toolchain, project, folder)
         loader = _loader(board)
-        length = _program_bytes(program)
+        data = uploader_data(toolchain, project, loader.tool)
+        file = compiled_file(folder, sketch, data.texts("files", (".hex",)))
+        program = _kept(record, file, sketch, folder, named)
+        length = _program_bytes(program, file)
         _sendable(sketch, toolchain, record, board, loader, length, unfinished)
-        tool = find_uploader(toolchain, project)
-        boards = load_boards(toolchain.platform, project)
-        port = _absolute(port)
-        with nullcontext() if dry_run else _alone(port):
-            actual = port if dry_run else _awake(port, loader, tool, board, boards)
-            for rate in (baud,) if baud is not None else loader.bauds:
-                command = tool.command(board, loader, actual, rate, compiled_hex(folder, sketch))
-                said = None if dry_run else tool.send(command, folder)
+        tool = find_uploader(toolchain, project, loader.tool)
+        sending = _Sending(tool, board, loader, file, program, length, load_boards(toolchain.platform, project))
+        actual, command = sending.send(_absolute(port) if port is not None else None, baud, dry_run=dry_run)
+        seconds = time.perf_counter() - started
+        note = data.text("note", "")
+        return UploadReport(tool.title, tuple(command), length, board.name, actual, not dry_run, seconds, note)
+
+
+class _Sending(NamedTuple):
+    """A program on its way to a board.
+
+    Attributes:
+        tool: what sends it.
+        board, loader: the board and its boot loader.
+        file, program, length: the file with the program, its bytes, and how many of these are the program's.
+        boards: all known ones.
+    """
+
+    tool: Uploader
+    board: Board
+    loader: BootLoader
+    file: Path
+    program: bytes
+    length: int
+    boards: Sequence[Board]
+
+    def send(self, port: str | None, baud: int | None, *, dry_run: bool) -> tuple[str, list[str]]:
+        """Send the program: the port that it was sent to, and the command.
+
+        Raises:
+            UploadError: the board did not take it.
+            UsageError: the tool needs a port.
+        """
+        if self.tool.data.text("kind", "") == COPY:
+            return self._copy(port, dry_run=dry_run)
+        if port is None and self.tool.data.flag("port", True):
+            raise UsageError("no port is given", fix=f"name the board's port: --port PORT; {self.tool.ports()}")
+        with nullcontext() if dry_run or port is None else _alone(port):
+            actual = port or ""
+            if port is not None and not dry_run:
+                actual = _awake(port, self.loader, self.tool, self.board, self.boards)
+            for rate in (baud,) if baud is not None else self.loader.bauds or (0,):
+                command = self.tool.command(self.board, self.loader, actual, rate, self.file)
+                said = None if dry_run else self.tool.send(command, self.file.parent)
                 if said is None:
-                    seconds = time.perf_counter() - started
-                    return UploadReport(tool.title, tuple(command), length, board.name, actual, not dry_run, seconds)
-                error, again = tool.upload_error(said, board, actual, boards, command)
+                    return actual, command
+                error, again = self.tool.upload_error(said, self.board, actual, self.boards, command)
                 if not again:
                     break
             raise error
+
+    def _copy(self, port: str | None, *, dry_run: bool) -> tuple[str, list[str]]:
+        data = self.tool.data
+        if port is None or is_drive(port):
+            drive = find_drive(data, self.board, self.loader, Path(port) if port is not None else None)
+        elif dry_run or not self.loader.touch_baud:
+            raise UploadError(f"'{port}' is no folder of a drive", fix=f"{data.text('no_drive')}; name its folder with --port")
+        else:
+            with _alone(port):
+                try:
+                    serial_ports.touch(port, self.loader.touch_baud)
+                except OSError as error:
+                    fix = f"{data.text('no_drive')}; {self.tool.ports()}"
+                    raise UploadError(f"{port}: {error.strerror or error}", fix=fix) from error
+                drive = wait_for_drive(data, self.board, self.loader, data.decimal("touch_returns_s"))
+        if not dry_run:
+            with _alone(str(drive)):
+                copy_to(drive, self.file.name, self.program, self.board)
+        return str(drive), ["copy", str(self.file), str(drive)]
 
 
 # ---- what may be sent
 
 
-def _kept(sketch: Sketch, folder: Path, named: Path) -> tuple[BuildRecord, bytes]:
-    """The kept program and its record; both are of the sketch as it now stands.
+def _record(sketch: Sketch, folder: Path, named: Path) -> BuildRecord:
+    """The record of the kept program.
 
     Raises:
-        SourceError: there is none, or something was changed since.
+        SourceError: there is none, or the program has a stand-in for the core in it.
     """
-    record, path, fix = (
-        read_record(folder, sketch),
-        compiled_hex(folder, sketch),
-        f"compile it: robosmi compile {shlex.quote(str(named))}",
-    )
+    record = read_record(folder, sketch)
     if record is not None and record.stand_in_core:
         raise SourceError(
             f"the program was compiled with a stand-in for the core '{record.stand_in_core}', which is only for checks",
             location=Location(str(folder)), fix="install that core (robosmi compile says how), then compile again",
         )  # fmt: skip
-    if record is None or not path.is_file():
-        what = "this sketch is not compiled yet"
-        raise SourceError(what, location=Location(str(folder)), fix=f"{fix} (after compile -o DIR, give --build DIR)")
+    if record is None:
+        raise _not_compiled(folder, named)
+    return record
+
+
+def _not_compiled(folder: Path, named: Path) -> SourceError:
+    fix = f"{_compile(named)} (after compile -o DIR, give --build DIR)"
+    return SourceError("this sketch is not compiled yet", location=Location(str(folder)), fix=fix)
+
+
+def _compile(named: Path) -> str:
+    return f"compile it: robosmi compile {shlex.quote(str(named))}"
+
+
+def _kept(record: BuildRecord, path: Path, sketch: Sketch, folder: Path, named: Path) -> bytes:
+    """The kept program, which is of the sketch as it now stands.
+
+    Raises:
+        SourceError: it is not there, or something was changed since.
+    """
+    fix = _compile(named)
+    if not path.is_file():
+        raise _not_compiled(folder, named)
     program = inputs.read_bytes(path, inputs.OUTPUT)
     if hashlib.sha256(program).hexdigest() != record.program:
         raise SourceError("the program has changed since it was compiled", location=Location(str(path)), fix=fix)
@@ -167,7 +245,7 @@ def _kept(sketch: Sketch, folder: Path, named: Path) -> tuple[BuildRecord, bytes
         more = f", and {len(changed) - 1} more" if len(changed) > 1 else ""
         place = Location(str(sketch.folder / changed[0]))
         raise SourceError(f"the file {what} since the sketch was compiled{more}", location=place, fix=fix)
-    return record, program
+    return program
 
 
 def _board(record: BuildRecord, toolchain: Toolchain, project: Path | None, folder: Path) -> Board:
@@ -242,14 +320,23 @@ def _loader(board: Board) -> BootLoader:
     return board.boot_loader
 
 
-def _program_bytes(text: bytes) -> int:
-    """How long a program is: the end of its last record (Intel HEX), which is where flash is written last.
+def _program_bytes(program: bytes, file: Path) -> int:
+    """How long a program is: the end of its last record (Intel HEX), which is where flash is written last, from where flash
+    begins; the parts of a UF2 file; the length of any other file.
 
     Raises:
-        SourceError: it is no Intel HEX.
+        SourceError: it is not of the kind that its name says.
     """
+    if file.suffix == ".uf2":
+        length = uf2_bytes(program)
+        if length is None:
+            raise SourceError("the program is not a UF2 file", location=Location(str(file)), fix="compile the sketch again")
+        return length
+    if file.suffix != ".hex":
+        return len(program)
     end = base = 0
-    for line in text.split():
+    starts = []
+    for line in program.split():
         try:
             record = bytes.fromhex(line[1:].decode("ascii"))
             count, address, kind = record[0], int.from_bytes(record[1:3], "big"), record[3]
@@ -257,9 +344,14 @@ def _program_bytes(text: bytes) -> int:
             raise SourceError(f"the program is not Intel HEX: {error}", fix="compile the sketch again") from error
         if kind == 0:
             end = max(end, base + address + count)
+            starts.append(base + address)
         elif kind in (2, 4):
             base = int.from_bytes(record[4:6], "big") << (4 if kind == 2 else 16)
-    return end
+    return end - (min(starts, default=0) & ~_FLASH)
+
+
+_FLASH = 0xFFFFFF
+"""Flash begins at a multiple of the next number: at 0 on small microcontrollers, at 0x60000000 on some with flash outside."""
 
 
 # ---- the board

@@ -42,11 +42,14 @@ class Uploader(Struct, frozen=True):
     @property
     def title(self) -> str:
         """Its name with its version."""
-        return f"{self.data.text('command')} {self.version}"
+        return f"{self.data.text('command')} {self.version}" if self.path else self.data.text("title")
 
     def command(self, board: Board, loader: BootLoader, port: str, baud: int, hex_file: Path) -> list[str]:
         """Program and arguments that send a file of the folder that it runs in."""
-        values = board.fill() | {"programmer": loader.programmer, "port": port, "baud": str(baud), "hex": hex_file.name}
+        values = board.fill() | {
+            "programmer": loader.programmer, "port": port, "port_name": Path(port).name, "baud": str(baud),
+            "hex": hex_file.name, "file": hex_file.name,
+        }  # fmt: skip
         return [self.path, *self.first, *fill(self.data.texts("arguments"), values)]
 
     def send(self, command: Sequence[str], folder: Path) -> str | None:
@@ -55,7 +58,9 @@ class Uploader(Struct, frozen=True):
         Raises:
             VerificationError: it did not end in time, and was ended.
         """
-        advice = "the board may have an incomplete program; check the cable and the port, then upload again"
+        advice = self.data.text(
+            "stuck", "the board may have an incomplete program; check the cable and the port, then upload again"
+        )
         said = run(command, folder, self.environment, self.data.decimal("limit_s"), advice=advice)
         return said.stdout + said.stderr if said.returncode else None
 
@@ -96,13 +101,23 @@ class Uploader(Struct, frozen=True):
         return UploadError(f"{self.data.text('command')} failed: {last}", fix=fix), False
 
 
-def uploader_data(toolchain: Toolchain, project: Path | None = None) -> DataTable:
-    """What is known of the tool that a toolchain names.
+COPY = "copy"
+"""The kind of an uploader that runs no program: files are copied to the board's drive."""
+
+
+def uploader_data(toolchain: Toolchain, project: Path | None = None, tool: str = "") -> DataTable:
+    """What is known of a tool.
+
+    Args:
+        toolchain: the toolchain.
+        project: the project folder; the current folder if None.
+        tool: the tool that the board names; empty for the one that the toolchain names.
 
     Raises:
-        PlatformDataError: it names none, or its file is not there or damaged.
+        PlatformDataError: none is named, or its file is not there or damaged.
     """
-    found = next(find_files(f"uploaders/{toolchain.uploader}.toml", project), None) if toolchain.uploader else None
+    name = tool or toolchain.uploader
+    found = next(find_files(f"uploaders/{name}.toml", project), None) if name else None
     if found is None:
         fix = "set 'uploader' to a file of uploaders/, or upload the .hex with another tool"
         message = f"no upload method is known for '{toolchain.title}'"
@@ -112,24 +127,31 @@ def uploader_data(toolchain: Toolchain, project: Path | None = None) -> DataTabl
 
 def find_program(data: DataTable) -> tuple[str, tuple[str, ...]] | None:
     """The path of the upload program, and the arguments that it needs there; None if it is not installed."""
-    command = data.text("command")
-    if found := shutil.which(command):
-        return found, ()
+    commands = (data.text("command"), *data.texts("also", ()))
+    for command in commands:
+        if found := shutil.which(command):
+            return found, ()
     for folder in places(data.texts("places", ())):
-        if found := shutil.which(command, path=str(folder)):
-            config = folder / data.text("config", "")
-            return found, tuple(fill(data.texts("config_arguments", ()), {"config": str(config)})) if config.is_file() else ()
+        for command in commands:
+            if found := shutil.which(command, path=str(folder)):
+                config = folder / data.text("config", "")
+                return found, tuple(fill(data.texts("config_arguments", ()), {"config": str(config)})) if config.is_file() else ()
     return None
 
 
-def find_uploader(toolchain: Toolchain, project: Path | None = None) -> Uploader:
-    """The tool that a toolchain names, on this machine.
+def find_uploader(toolchain: Toolchain, project: Path | None = None, tool: str = "") -> Uploader:
+    """The tool that a board or else a toolchain names, on this machine; one that copies files is everywhere.
+
+    Args:
+        toolchain, project, tool: see `uploader_data`.
 
     Raises:
         MissingToolError: it is not installed.
         PlatformDataError: its data is damaged.
     """
-    data = uploader_data(toolchain, project)
+    data = uploader_data(toolchain, project, tool)
+    if data.text("kind", "") == COPY:
+        return Uploader(data, "", "", (), {})
     found = find_program(data)
     if found is None:
         fix = toolchain.install.replace("{packages}", data.text("package"))

@@ -10,11 +10,14 @@ import pytest
 
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.plugins import registry
+from robosmi.report.rules import finding_rules
 from robosmi.transformations.constraints.code import code
 from robosmi.transformations.constraints.hardware import circuit
 from robosmi.transformations.constraints.plan import plan
 from robosmi.transformations.constraints.plan_edits import edits
 from robosmi.transformations.constraints.plan_ports import by_words, ports
+from robosmi.transformations.queries.plans.plan import binding_json
+from robosmi.transformations.queries.plans.port_pins import bound_pin, port_text
 from robosmi.validate import EVL, Constraint, Validation
 from tests.transformations.constraints.examples import EXAMPLES
 
@@ -68,6 +71,17 @@ def test_a_fix_mends_what_it_is_for(rule: str) -> None:
     assert rules(checked(model)) == []
 
 
+OF = {"plan": (plan, edits, ports, by_words), "code": (code,), "hardware": (circuit,)}
+
+
+@pytest.mark.parametrize(("subject", "sets"), OF.items(), ids=list(OF))
+def test_the_meaning_of_a_rule_on_models_begins_with_its_model(subject: str, sets: tuple[EVL, ...]) -> None:
+    known = finding_rules(ROOT)
+    ids = [c.id for one in sets for context in one.contexts for c in context.constraints if c.id[:3] == "RS7"]
+    assert ids
+    assert [i for i in ids if not known[i].meaning.startswith(f"{subject}: ")] == []
+
+
 def test_the_sets_are_registered_by_the_name_of_their_metamodel() -> None:
     for root, constraints in SETS.items():
         assert registry().get("constraints", root.eClass.ePackage.name) is constraints  # type: ignore[attr-defined]
@@ -79,3 +93,11 @@ def test_a_name_that_is_defined_twice_is_judged_anew_in_another_model() -> None:
     bad.units[0].declarations[0].name = "other"
     assert rules(checked(bad)) == []
     assert rules(checked(good)) == []
+
+
+def test_where_pin_and_connection_differ_all_follow_the_connection_whose_name_the_sketch_has() -> None:
+    model = EXAMPLES["RS704"][1]()
+    (binding,) = [b for b in model.portBindings if b.connection is not None and b.pin is not b.connection.pin]
+    assert bound_pin(binding) is binding.connection.pin
+    assert binding_json(binding)["pin"] == (binding.connection.pin.label if binding.connection.pin is not None else None)
+    assert port_text(binding) == binding.connection.name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,9 @@ def plan(request: pytest.FixtureRequest) -> migration.MigrationPlan:
     return made
 
 
+@cache
 def planned(name: str) -> Any:
+    """The plan of a program, which no test changes."""
     return robosmi.plan_migration(SOURCES[name]).plan
 
 

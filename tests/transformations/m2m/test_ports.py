@@ -6,8 +6,8 @@ measured in tests/adapters.
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -23,9 +23,10 @@ def sources(name: str) -> list[Path]:
     return sorted((CASES / name).glob("*.c"))
 
 
-def planned(name: str, **options: Any) -> migration.MigrationPlan:
-    """The plan of a case."""
-    plan: migration.MigrationPlan = robosmi.plan_migration(sources(name), **options).plan
+@cache
+def planned(name: str) -> migration.MigrationPlan:
+    """The plan of a case, which no test changes."""
+    plan: migration.MigrationPlan = robosmi.plan_migration(sources(name)).plan
     return plan
 
 

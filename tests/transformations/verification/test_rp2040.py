@@ -5,6 +5,7 @@ Devices are those of the other engines, at the pins of the same numbers.
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -15,6 +16,7 @@ from msgspec.structs import replace
 from robosmi.base.data_text import as_whole
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.engines import node_engine
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, Job, PinTrace, engine_for, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
@@ -201,6 +203,30 @@ def test_interrupts_of_pins_and_timers(run: Run) -> None:
     assert trace.text.split() == ["7"]
     toggles = [at_us for at_us, level in trace.levels("GP3") if level in (0, 1)][2:]
     assert (toggles[-1] - toggles[0]) / (len(toggles) - 1) == pytest.approx(5000, abs=0.5)
+
+
+@pytest.mark.parametrize(
+    ("name", "devices"),
+    [
+        ("waits", [DeviceUse("levels", {"pin": "GP2"}, {"points": [[at / 7, at % 2] for at in range(0, 400, 3)]})]),
+        ("rangers", [DeviceUse("ranger", {"signal": "GP7"}, {"points": [[0, 20]]})]),
+        ("waves_and_servo", []),
+    ],
+)
+def test_rounds_of_waiting_loops_are_skipped_to_the_cycle(
+    name: str, devices: list[DeviceUse], job_of: Callable[..., Job], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """The whole trace is the same to the nanosecond when no round is skipped."""
+    asked = job_of(name, 60, devices)
+    skipping = simulate(asked)
+    folder = Path(node_engine.__file__).parent
+    for path in folder.glob("rp2040js_*.cjs"):
+        shutil.copy(path, tmp_path)
+    own = tmp_path / "rp2040js_rounds.cjs"
+    own.write_text(f"{own.read_text()}\nexports.rounds = () => ({{ disturb() {{}}, jumped: () => 0 }});\n")
+    monkeypatch.setattr(node_engine, "__file__", str(tmp_path / "node_engine.py"))
+    assert simulate(asked) == skipping
+    assert len(skipping.changes) > 5
 
 
 # ---- bad input

@@ -6,8 +6,10 @@ import pytest
 from msgspec.structs import replace
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.judgement.compared_outputs import compared_outputs
 from robosmi.transformations.verification.judgement.verdict import verdict_of, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.transformations.verification.pause_comparison import PAUSES
 from robosmi.verify.original import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace
@@ -110,6 +112,13 @@ def test_only_an_open_port_is_advised_to_be_bound() -> None:
     assert "--bind P3=PIN" in said
     assert "--bind P21" not in said
     assert "P21: not connected, by the plan" in said
+
+
+def test_a_sensor_that_the_program_asks_is_no_output() -> None:
+    ports = [BoundPort("P8", "P8", "D7", device="ranger", pin="signal"), BoundPort("P26", "P26", "D13")]
+    channels = (ChannelComparison("P26", "same", events=2), ChannelComparison(f"P8{PAUSES}", "same", events=1))
+    verdict = Verdict([ScenarioVerdict(SCENARIO, "no-difference-found", channels, 1000.0)])
+    assert compared_outputs(verdict, ports) == {"P26": True}
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
 from robosmi.files.external_files import ExternalFiles
@@ -32,8 +33,9 @@ from robosmi.transformations.chains.stages.written_output import checked, chosen
 from robosmi.transformations.m2t.first_screen import Counted, counted
 from robosmi.transformations.m2t.program_files import BENCH, report_file
 from robosmi.transformations.m2t.terminal_text import terminal_lines
-from robosmi.transformations.queries.plans.plan import as_findings, open_choices, plan_json
+from robosmi.transformations.queries.plans.plan import as_findings, move_json, open_choices, plan_json
 from robosmi.transformations.queries.reports.work import work_json
+from robosmi.transformations.verification.judgement.stored_verdict import SEVERITIES
 
 KINDS = {
     **dict.fromkeys((".ino", ".cpp", ".c"), "sketch"),
@@ -88,8 +90,17 @@ class Generated(Struct):
 
     @property
     def findings(self) -> list[Finding]:
-        """The plan's findings, and those of this run alone."""
-        return Findings([*as_findings(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
+        """The plan's findings, and those of this run alone.
+
+        What an earlier comparison found out about the sketch is a warning at most: this run did not fail.
+        """
+        planned = as_findings(Q(self.models.plan.findings), self.models.places)
+        if self.verification is None:
+            planned = [
+                replace(each, severity=min(each.severity, Severity.warning)) if each.rule in SEVERITIES else each
+                for each in planned
+            ]
+        return Findings([*planned, *self.models.notes, *self.notes])
 
     def tasks(self) -> list[Finding]:
         """The plan's tasks."""
@@ -102,7 +113,7 @@ class Generated(Struct):
         made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
         done = "made" if self.written else "to generate"
         view = f"{element_html(self.models.plan)}{findings_html(self.findings)}"
-        return f"{view}<details><summary>{len(self.contents)} files {done}</summary><ul>{made}</ul></details>"
+        return f"{view}<details><summary>{quantity(len(self.contents), 'file')} {done}</summary><ul>{made}</ul></details>"
 
     def result(self) -> dict[str, Any]:
         """The contract's result."""
@@ -111,6 +122,8 @@ class Generated(Struct):
             "sketch": str(self.sketch),
             "written": self.written,
         }
+        if (moved := move_json(self.models.plan)) is not None:
+            made["moved"] = moved
         if not self.written:
             made["diff"] = self.diff
         return made if self.verification is None else made | {"verification": self.verification[0]}

@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -169,7 +170,8 @@ def _missing_changes(
             flows = [f for f in plan.portFlows if f is owner or owner in f.bindings]
             line = sources[first.unit.path].count(b"\n", 0, first.startOffset) + 1 if first.unit is not None else None
             path = str(first.unit.path) if first.unit is not None else ""
-            message = f"'{word}' is {max(there, 0)} times in the sketch, and the plan has put it there {len(changes)} times"
+            found, expected = quantity(max(there, 0), "time"), quantity(len(changes), "time")
+            message = f"'{word}' is {found} in the sketch, and the plan has put it there {expected}"
             yield _finding(message, Location(path, line)), [call for flow in flows for call in flow.calls]
     for flow in plan.portFlows:
         for binding in flow.bindings if flow.choice == "target" else ():
@@ -213,7 +215,8 @@ def _unseen_calls(
     """Functions with pins of which the finished text has fewer calls than the source, so that some were not followed."""
     for name, known in calls.items():
         if name in checked.functions and checked.seen[name] < len(known):
-            message = f"{len(known) - checked.seen[name]} of {len(known)} calls of '{name}' could not be followed in the sketch"
+            some = f"{len(known) - checked.seen[name]} of {quantity(len(known), 'call')}"
+            message = f"{some} of '{name}' could not be followed in the sketch"
             yield _finding(message, _place_of(known[0])), known
 
 

@@ -17,10 +17,11 @@ from robosmi.transform import Trace
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing
 from robosmi.transformations.chains.stages.program import StoredProgram
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_names
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.ports.port_binding import UserPins, bind_ports
-from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard, propose_pins
+from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard, bind_same_pins, propose_pins
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.plan_adapters import closure
@@ -41,6 +42,7 @@ def bindings(
     judgement: tuple[Dependence, Trace],
     drawing: StoredDrawing | None,
     board: platform.Board,
+    target: TargetFacts,
     bind: Mapping[str, str],
     settings: Project,
     stored: StoredChoices | None,
@@ -57,13 +59,32 @@ def bindings(
     assert source is not None
     connections = list(drawing.hardware.connections) if drawing is not None else []
     asked = with_conventions(ports, judgement[0].adapters, program.views)
-    said = (UserPins(settings.bind, settings.places("bind", settings.bind)), UserPins({**bind}))
+    said = (pins_of_project(settings, target), UserPins({**bind}))
     limit, kept = default_number("choices", "limit"), (stored or NOTHING).ports
     split = split_functions(judgement[0].adapters)
     made = bind_ports(asked, api, source, connections, board, said, limit, kept, split)
     if new_board is not None and drawing is None:
         propose_pins(asked.ports, made, new_board)
+    elif new_board is not None:
+        bind_same_pins(asked.ports, made, new_board, connections)
     return made
+
+
+def pins_of_project(settings: Project, target: TargetFacts) -> UserPins:
+    """The pins that a project file gives to ports for a target: those of [bind.TARGET] before those of [bind].
+
+    A target is called by its name there, by its board's, or by that in the platform's tools.
+    """
+    said, places = settings.bind, settings.places("bind", settings.bind)
+    if not any("." in name for name in said):
+        return UserPins(said, places)
+    others = {*target_names()}
+    heads = {name: name.partition(".")[0] for name in said}
+    of_targets = [name for name, head in heads.items() if head in others or ":" in head]
+    mine = [name for name in of_targets if heads[name] in target.called]
+    used = [*(name for name in said if name not in of_targets), *mine]
+    keys = {name: name.partition(".")[2] if name in mine else name for name in used}
+    return UserPins({keys[n]: said[n] for n in used}, {keys[n]: places[n] for n in used if n in places})
 
 
 def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:

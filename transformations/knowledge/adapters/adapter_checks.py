@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
@@ -116,7 +117,7 @@ def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wron
             raise wrong("for", signature, message, f"write it as the source's header does: RESULT {piece.name}(PARAMETERS)")
         count = len(split_arguments(said["parameters"]))
         if "..." not in said["parameters"] and all(len(names) != count for names in definitions):
-            message = f"the function '{name}' takes {len(definitions[0])} parameters, '{signature}' has {count}"
+            message = f"the function '{name}' takes {quantity(len(definitions[0]), 'parameter')}, '{signature}' has {count}"
             raise wrong("for", signature, message, "use the same number of parameters in both")
         nothing = _returns_nothing(found, name)
         if nothing is not None and nothing is not bool(_NOTHING.match(signature.strip())):

@@ -23,10 +23,12 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from robosmi import inputs, resources
+from robosmi.base.data_tables import DataTable
 from robosmi.base.data_text import as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.project import default_text, read_data
+from robosmi.recommend.architectures import ArchitectureFacts, LibrarySubstitute
 from robosmi.recommend.decision import DecisionModel
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
@@ -235,6 +237,9 @@ _Files = tuple[tuple[Path, int], ...]
 DEVICES = "parts/devices"
 """Folder of the tables of devices; `robosmi.recommend.lexicon` describes their format."""
 
+ARCHITECTURES = "libraries/architectures.toml"
+"""On which architectures libraries work: the file of a platform."""
+
 USUAL = "libraries/usual.csv"
 """Table of a platform: device,libraries (apart by |, the most usual first)."""
 
@@ -255,7 +260,8 @@ def device_knowledge(platform: str, project: Path | None = None) -> Knowledge:
     single = [
         resources.find("platform_repo", f"{platform}/libraries/{name}", project) for name in ("words.toml", "decision.toml")
     ]
-    return _knowledge(_states(tables), _states(usual), _states(single))
+    facts = [path for folder in folders if (path := folder / platform / ARCHITECTURES).is_file()]
+    return _knowledge(_states(tables), _states(usual), _states(single), _states(facts))
 
 
 def _states(paths: list[Path]) -> _Files:
@@ -263,7 +269,7 @@ def _states(paths: list[Path]) -> _Files:
 
 
 @lru_cache(maxsize=4)
-def _knowledge(tables: _Files, usual: _Files, single: _Files) -> Knowledge:
+def _knowledge(tables: _Files, usual: _Files, single: _Files, facts: _Files) -> Knowledge:
     words, decision = (path for path, _ in single)
     stop = read_data(words)
     return Knowledge(
@@ -271,7 +277,60 @@ def _knowledge(tables: _Files, usual: _Files, single: _Files) -> Knowledge:
         lexicon=Lexicon(path for path, _ in tables),
         usual=_usual([path for path, _ in usual]),
         model=DecisionModel.from_data(read_data(decision)),
+        architectures=_architecture_facts([path for path, _ in facts]),
     )
+
+
+def architecture_facts(platform: str | None = None, project: Path | None = None) -> ArchitectureFacts:
+    """On which architectures the libraries of a platform work, beyond what they declare.
+
+    Raises:
+        PlatformDataError: a file is damaged.
+    """
+    return device_knowledge(platform or default_library_platform(), project).architectures
+
+
+def unsuitable(name: str, target: str, architecture: str, project: Path | None = None) -> str:
+    """Why a library does not work on an architecture, with what to use there; empty if nothing speaks against it.
+
+    Args:
+        name: the library.
+        target: folder of the platform whose libraries are meant; empty for a target without libraries.
+        architecture: the architecture.
+        project: the project folder; the current folder if None.
+    """
+    found = library_index(target, project).library_named(name) if target else None
+    if found is None:
+        return "the index of libraries has no such library" if target else "the target has no libraries"
+    objection = architecture_facts(target, project).objection(found, architecture)
+    return f"{found.name} {objection}" if objection else ""
+
+
+def _architecture_facts(paths: list[Path]) -> ArchitectureFacts:
+    """The facts of the files; those of the first one go before."""
+    brings: dict[str, frozenset[str]] = {}
+    instead: dict[str, dict[str, LibrarySubstitute]] = {}
+    home = ""
+    for path in reversed(paths):
+        file = DataTable.read(path)
+        for key in file.values:
+            if key not in ("home", "brings", "instead"):
+                raise file.error(key, f"is no key of it{did_you_mean(key, ('home', 'brings', 'instead'))}")
+        home = file.text("home", home)
+        for kind, needed in (("brings", ("libraries",)), ("instead", ("library", "use", "why"))):
+            for table in file.tables(kind, needed=False):
+                known = ("architectures", "source", *needed)
+                for key in table.values:
+                    if key not in known:
+                        raise table.error(key, f"is no key of it{did_you_mean(key, known)}")
+                table.text("source")  # a fact without one is refused
+                for architecture in table.texts("architectures"):
+                    if kind == "brings":
+                        brings[architecture] = brings.get(architecture, frozenset()) | {*table.texts("libraries")}
+                    else:
+                        found = LibrarySubstitute(table.text("use"), table.text("why"))
+                        instead.setdefault(architecture, {})[table.text("library")] = found
+    return ArchitectureFacts(brings, instead, home)
 
 
 def refuse_unknown_usual(platform: str, libraries: Collection[str], project: Path | None = None) -> None:

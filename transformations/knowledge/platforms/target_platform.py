@@ -101,6 +101,12 @@ class TargetFacts:
         return str(self.board_model.name)
 
     @property
+    def called(self) -> frozenset[str]:
+        """All names of the target: the given one, the board's, and the board's full name in the platform's tools."""
+        mapped = [name for each in self._platform.boardMappings for name in (each.boardId, *each.otherIds) if name]
+        return frozenset({self.target, self.board, *mapped})
+
+    @property
     def generator(self) -> str:
         """Name of the registered generator."""
         return str(self.model.generator)

@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.knowledge.adapters.adapter_index import AdapterIndex
@@ -246,7 +247,7 @@ def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
         given = len(call.arguments)
         if not any(given == count or (more and given > count) for count, more in taken):
             counts = " or ".join(str(count) for count in sorted({count for count, _ in taken}))
-            return f"line {call.line} calls it with {given} argument{'s' * (given != 1)}, but its adapter takes {counts}"
+            return f"line {call.line} calls it with {quantity(given, 'argument')}, but its adapter takes {counts}"
     return ""
 
 

@@ -21,7 +21,7 @@ from msgspec import Struct
 from robosmi import quoting
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError
+from robosmi.errors import TooLargeError
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.part_names import PartNames, name_direction, names
@@ -88,7 +88,7 @@ def map_connectors(
             for one in _map_board(board, (boards or {}).get(board.elementId), state):
                 mapped.append(one)
                 if len(mapped) > MAX_MAPPINGS:
-                    raise SourceError(
+                    raise TooLargeError(
                         f"more than {MAX_MAPPINGS:,} connections of pins to components",
                         location=Location(circuit.path),
                         fix="check the wiring of the pins; one net cannot connect everything",

@@ -42,12 +42,13 @@ def list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
     yield from (cast for cast in view.of_kind(ccode.Cast) if isinstance(cast.operand, ccode.InitializerList))
 
 
-def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[Replacement] | None:
+def positional(holder: ccode.Variable | ccode.Cast, data: bytes, within: Sequence[Replacement] = ()) -> list[Replacement] | None:
     """The changes, as (first byte, byte after the last, new text), that make a list positional; None if impossible.
 
     Args:
         holder: a variable with an initial value in braces, or a compound literal.
         data: the bytes of its unit.
+        within: changes of the values, which none of the others overlaps: where a value is written anew, it has them.
     """
     first, use = (holder.operand, holder.target) if isinstance(holder, ccode.Cast) else (holder.initializer, holder.valueType)
     if first is None or not data[first.startOffset : first.endOffset].startswith(b"{"):
@@ -58,14 +59,36 @@ def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[Replace
     constants = constants_of(holder)
     try:
         try:
-            return _list(plain, of_use(use), constants, data)
+            return _list(plain, of_use(use), constants, _Text(data, within))
         except UnknownList:
-            return [Replacement(start, int(first.endOffset), reordered(words, of_use(use), constants, data))]
+            return [Replacement(start, int(first.endOffset), reordered(words, of_use(use), constants, _Text(data, within)))]
     except UnknownList:
         return None
 
 
-def _list(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes) -> list[Replacement]:
+class _Text(Struct):
+    """The bytes of a unit with changes within values.
+
+    Attributes:
+        data: the bytes.
+        within: the changes, in text order.
+    """
+
+    data: bytes
+    within: Sequence[Replacement] = ()
+
+    def of(self, words: Sequence[Token]) -> str:
+        """The text of some tokens, with the changes within them."""
+        start, end = words[0][1], words[-1][2]
+        parts: list[bytes] = []
+        for change in self.within:
+            if start <= change.start and change.end <= end:
+                parts += [self.data[start : change.start], change.text.encode()]
+                start = change.end
+        return b"".join([*parts, self.data[start:end]]).decode("utf-8", "replace")
+
+
+def _list(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], shown: _Text) -> list[Replacement]:
     values = values_of(words[1:-1])
     fields = members_of(kind)
     made: list[Replacement] = []
@@ -77,14 +100,14 @@ def _list(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str
             place, last = _place(each.designator, fields, constants)
             if place < position or place - position > MOST or last - place > MOST:
                 raise UnknownList
-            text = data[each.value[0][1] : each.value[-1][2]].decode("utf-8", "replace")
+            text = shown.of(each.value)
             made.append(
                 Replacement(each.designator[0][1], each.value[0][1], "{}, " * (place - position) + f"{text}, " * (last - place))
             )
             gaps |= place > position or each.designator[0][3] == "["
         if each.value and each.value[0][3] == "{":
             within = of_use(fields[place].valueType) if place < len(fields) else element_type(kind)
-            inner += _list(each.value, within, constants, data)
+            inner += _list(each.value, within, constants, shown)
         member = fields[place].valueType if place < len(fields) else None
         texts |= member is not None and bool(member.arrayDims) and each.value[0][3].startswith('"')
         position = last + 1
@@ -135,21 +158,22 @@ def _in_order(slots: Mapping[int, _Slot]) -> Iterator[str]:
     return (slots[place].shown() if place in slots else "{}" for place in places)
 
 
-def reordered(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes) -> str:
+def reordered(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], shown: _Text) -> str:
     """Write an initializer list by position.
 
     Args:
         words: its tokens including both braces, and the comments.
         kind: the type that it initializes.
         constants: values of named constants.
-        data: the bytes of its unit.
+        shown: the text of its unit.
 
     Raises:
         UnknownList: it cannot be written by position.
     """
     plain = [word for word in words if word[0] != "comment"]
     _calculates_nothing(plain)
-    filled = _Filler(constants, data, [word for word in words if word[0] == "comment"])
+    data = shown.data
+    filled = _Filler(constants, shown, [word for word in words if word[0] == "comment"])
     slots = filled.places_of(plain, kind)
     between = data[plain[0][2] : plain[1][1]].decode("latin-1")
     if "\n" not in between:
@@ -175,7 +199,7 @@ class _Filler(Struct):
     """Assigns the values of a list to their places."""
 
     constants: Mapping[str, int]
-    data: bytes
+    shown: _Text
     comments: list[Token]
 
     def places_of(self, words: Sequence[Token], kind: ValueType | None) -> dict[int, _Slot]:
@@ -210,14 +234,13 @@ class _Filler(Struct):
             else:
                 if _has_parts(within) and each.value[0][3] != "(" and not each.value[0][3].startswith('"'):
                     raise UnknownList  # braces may have been left out
-                text = self.data[each.value[0][1] : each.value[-1][2]].decode("utf-8", "replace")
-                slots[place] = _Slot(text, comments=self._beside(each))
+                slots[place] = _Slot(self.shown.of(each.value), comments=self._beside(each))
 
     def _beside(self, each: ListValue) -> list[str]:
         """The comments after a value on its line."""
         found = []
         for comment in self.comments:
-            between = self.data[each.value[-1][2] : comment[1]]
+            between = self.shown.data[each.value[-1][2] : comment[1]]
             if comment[1] >= each.value[-1][2] and b"\n" not in between and not between.strip(b" \t,"):
                 text = comment[3].removeprefix("//") if comment[3].startswith("//") else comment[3][2:-2]
                 found.append(f"/* {text.strip()} */")

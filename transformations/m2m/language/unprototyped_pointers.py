@@ -20,7 +20,7 @@ from robosmi.transformations.queries.signature_text import nothing, split
 
 def pointer_prototypes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Find pointer types that can be given a parameter list, and calls through them whose number of arguments changes."""
-    for kept in unprototyped_pointers(view.program) if concerns(view.unit) else ():
+    for kept in unprototyped_pointers(view.program) if concerns(view) else ():
         if kept.parameter_text and not _left(kept):
             for pointer in kept.pointers:
                 if unit_of(pointer) is view.unit:
@@ -32,13 +32,13 @@ def pointer_prototypes(view: CodeView, data: bytes, functions: Mapping[str, Func
 
 def value_prototypes(view: CodeView) -> dict[int, str]:
     """The parameter list that such a pointer's type is given, by the `id()` of each value stored in the pointer."""
-    groups = unprototyped_pointers(view.program) if concerns(view.unit) else ()
+    groups = unprototyped_pointers(view.program) if concerns(view) else ()
     return {id(value): kept.parameter_text for kept in groups if kept.parameter_text and not _left(kept) for value in kept.values}
 
 
 def untold_pointers(view: CodeView) -> Iterator[tuple[int, str]]:
     """Pointers of a unit that C++ refuses to call because their parameters are unknown or ambiguous, as (offset, message)."""
-    for kept in unprototyped_pointers(view.program) if concerns(view.unit) else ():
+    for kept in unprototyped_pointers(view.program) if concerns(view) else ():
         message = _left(kept)
         first = next((pointer for pointer in kept.pointers if unit_of(pointer) is view.unit), None)
         if message and first is not None:

@@ -271,6 +271,9 @@ def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[R
     return [Replacement(written.start(), written.end(), wanted)]
 
 
+POSITIONAL = "positional"
+"""The rule of lists with designators that are written by position."""
+
 EditRule = Callable[[Any, str, SourceText], list[Replacement]]
 """A function from an element, the rule's text and the text of the element's unit to the replacements."""
 
@@ -293,7 +296,7 @@ RULES: dict[str, EditRule] = {
     "linkage-of-c": _branch_out,
     "decided-condition": lambda element, choice, text: as_decided(element, text),
     "open-size": _open_size,
-    "positional": lambda element, choice, text: positional(element, text.data) or [],
+    POSITIONAL: lambda element, choice, text: positional(element, text.data) or [],
     excess_initialisers.RULE: lambda element, choice, text: excess_initialisers.places(element, text.data),
     compound_literals.RULE: lambda element, choice, text: compound_literals.replacements(element, choice, text.data),
     "convert": _convert,

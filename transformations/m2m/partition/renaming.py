@@ -92,8 +92,6 @@ _C_ALONE = re.compile(r"ifndef\s+__cplusplus\b|if\s+!\s*defined\s*+\(?\s*+__cplu
 def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro | ccode.Label, bool]]:
     """Every declaration, label and macro of the program, and whether it is visible outside of a function."""
     for view in views:
-        if view.unit.language != "C":
-            continue
         yield from ((macro, True) for macro in view.unit.macros if not _in_c_alone(macro, view.unit))
         yield from ((label, False) for label in view.of_kind(ccode.Label))
         top = {id(d) for d in view.unit.declarations}

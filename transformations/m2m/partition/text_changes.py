@@ -14,7 +14,8 @@ from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement
-from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, RULES
+from robosmi.transformations.m2m.language.designated_lists import positional
+from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, POSITIONAL, RULES
 from robosmi.transformations.m2m.ports.port_texts import MOVES, explicit_enumerators, replacement
 from robosmi.transformations.queries.plans.binding_edits import writes
 from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, kept_pins
@@ -77,9 +78,33 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
                 change.rule, change.replacement = rule, new
             elif not writes(change, port_text(binding) or new):
                 change.replacement, change.reason = new, f"{binding.name} is {binding.choice or 'not bound'} on the target"
+    settle_lists(plan, texts)
     if kept is not None:
         explicit_enumerators(plan, {str(text.unit.path): text.data for text in texts})
     mark_rewritten(plan)
+
+
+def settle_lists(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
+    """Write the values of lists that are written by position anew, with the changes of these values, such as a pin's number.
+
+    Raises:
+        ModelError: a list is in no source unit.
+    """
+    listed = [(each.element, [c for c in each.changes if c.rule == POSITIONAL]) for each in plan.dispositions]
+    for element, own in listed:
+        if not own or not isinstance(element, (ccode.Variable, ccode.Cast)):
+            continue
+        text = _text_of(own[0], texts)
+        inside = [
+            change
+            for change in all_changes(plan)
+            if change.unit is text.unit and change.rule != POSITIONAL
+            and element.startOffset <= change.startOffset and change.endOffset <= element.endOffset
+        ]  # fmt: skip
+        within = [Replacement(int(c.startOffset), int(c.endOffset), str(c.replacement or "")) for c in effective(inside)]
+        anew = {(each.start, each.end): each.text for each in positional(element, text.data, within) or ()}
+        for change in own:
+            change.replacement = anew.get((int(change.startOffset), int(change.endOffset)), change.replacement)
 
 
 def _decided_once(plan: migration.MigrationPlan) -> None:

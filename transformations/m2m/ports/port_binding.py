@@ -20,8 +20,9 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError, UsageError, did_you_mean, placed
+from robosmi.errors import TooLargeError, UsageError, did_you_mean, placed
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
@@ -395,8 +396,8 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         SourceError: there are more pairs of a port and a connection than any program has.
     """
     if len(seats) * len(free) > MOST_PAIRS:
-        raise SourceError(
-            f"{len(seats)} open ports and {len(free)} connections are too many to match",
+        raise TooLargeError(
+            f"{quantity(len(seats), 'open port')} and {quantity(len(free), 'connection')} are too many to match",
             location=_drawing(free[0]),
             fix="take what the program does not use out of the drawing, or bind the ports in robosmi.toml",
         )

@@ -45,6 +45,30 @@ class NewBoard(Struct, frozen=True):
         return all(chip is not None for chip in chips) and len({str(chip.architecture) for chip in chips if chip}) == 1
 
 
+def bind_same_pins(
+    ports: Sequence[Port],
+    bindings: Sequence[migration.PortBinding],
+    new: NewBoard,
+    connections: Sequence[migration.Connection],
+) -> None:
+    """Bind the ports that a drawing of a board with the same pins leaves open, where a part is drawn at the port's pin.
+
+    Args:
+        ports: the program's ports.
+        bindings: the decision for each port, in the same order.
+        new: the board.
+        connections: what is drawn on it.
+    """
+    taken = {id(binding.pin) for binding in bindings if binding.pin is not None}
+    for port, binding in zip(ports, bindings, strict=True):
+        pin = _same(port, new) if binding.open and new.alike else None
+        drawn = [c for c in connections if c.pin is pin] if pin is not None and id(pin) not in taken else []
+        if pin is not None and len(drawn) == 1:
+            _bind(binding, pin, 1.0, f"{SAME}, and a part is drawn there")
+            binding.connection, binding.choice = drawn[0], str(drawn[0].name)
+            taken.add(id(pin))
+
+
 def propose_pins(ports: Sequence[Port], bindings: Sequence[migration.PortBinding], new: NewBoard) -> None:
     """Bind the open ports of a program to pins.
 

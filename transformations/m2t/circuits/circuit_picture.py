@@ -27,6 +27,7 @@ from textwrap import wrap
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.generate import Gen
 from robosmi.metamodels import hardware
@@ -136,7 +137,7 @@ class _Drawing:
         box = Box(len(self.result.boxes), "Rails", f"drawn with {len(symbols)} symbols", _FILLS["Power"], 0, group)
         for net in sorted((n for n in self.circuit.nets if id(n) in named), key=lambda n: natural_key(self.rails[id(n)])):
             count = len(net.connectors) - named[id(net)]
-            row = PartRow(len(box.rows), f"{count} connector{'s' * (count != 1)}")
+            row = PartRow(len(box.rows), quantity(count, "connector"))
             row.tag, row.tag_colour = self.rails[id(net)], self.colours[id(net)]
             if (mark := wrong.get(id(net))) is not None:
                 row.mark_colour, row.mark_text = mark.colour, f"{mark.rule}: {mark.message}"

@@ -30,7 +30,15 @@ NOTHING = DeviceFacts("")
 
 
 class BoardPin(Struct, frozen=True):
-    """A pin of a board that a component is connected to: the component's connector, net, board, the pin's label and model."""
+    """A pin of a board that a component is connected to.
+
+    Attributes:
+        connector: the component's connector.
+        net: the net of this connector; between it and the pin there may be a passive part.
+        board: the board.
+        label: the pin's label on the board.
+        pin: the platform's pin with its abilities; None for a board without data.
+    """
 
     connector: hardware.Connector
     net: hardware.Net

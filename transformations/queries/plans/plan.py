@@ -151,9 +151,8 @@ def binding_json(binding: migration.PortBinding) -> dict[str, Json]:
 
 
 def _pin(binding: migration.PortBinding) -> str | None:
-    if binding.connection is not None and binding.connection.pin is not None:
-        return binding.connection.pin.label
-    return binding.pin.label if binding.pin is not None else None
+    pin = bound_pin(binding)
+    return pin.label if pin is not None else None
 
 
 def library_json(choice: migration.LibraryChoice) -> dict[str, Json]:
@@ -209,6 +208,27 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Json]:
         "tasks": len(plan.tasks),
         "open_choices": len(open_choices(plan)),
     }
+
+
+def move_json(plan: migration.MigrationPlan) -> dict[str, Any] | None:
+    """What changed since the plan for another board, as the contract's `moved`; None if there was none."""
+    move = plan.move
+    if move is None:
+        return None
+    counts = move_counts(move)
+    return {
+        "from": move.target, "to": plan.targetDescription.name if plan.targetDescription is not None else "",
+        **{kind: counts[kind] for kind in ("kept", "proposed", "decided", "lost")}, "open": len(open_choices(plan)),
+        "pins_proposed": bool(move.pinsProposed),
+        "changes": [
+            {"kind": c.kind.name, "subject": c.subject, "before": c.before, "after": c.after, "why": c.why} for c in move.changes
+        ],
+    }  # fmt: skip
+
+
+def move_counts(move: migration.Move) -> Counter[str]:
+    """How many choices became what when a program was moved to another board, by the names of `ChangeKind`."""
+    return Counter(str(change.kind.name) for change in move.changes)
 
 
 def ports_by_pin(plan: migration.MigrationPlan) -> dict[str, list[str]]:

@@ -21,8 +21,11 @@ NO_PIN = "no-pin-in-macro"
 
 
 def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
-    """The pin of a binding, set directly or through its connection; None if it has none."""
-    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
+    """The pin of a binding: that of its connection, which generated text names, else the one that it refers to; None if neither.
+
+    The two agree in a valid plan (RS704).
+    """
+    return binding.connection.pin if binding.connection is not None else binding.pin
 
 
 def source_name(binding: migration.PortBinding) -> str:
@@ -75,15 +78,11 @@ def port_literals(plan: migration.MigrationPlan) -> tuple[dict[str, str], dict[i
             names |= dict.fromkeys([binding.name, *binding.names, *named], text)
     for binding in (*conventional, *(b for b in plan.portBindings if b.origin != "convention")):
         if binding.sourcePin >= 0:
-            pin = _pin(binding)
+            pin = bound_pin(binding)
             numbers.pop(binding.sourcePin, None)
             if pin is not None:
                 numbers[binding.sourcePin] = pin_literal(pin)
     return names, numbers
-
-
-def _pin(binding: migration.PortBinding) -> platform.Pin | None:
-    return binding.connection.pin if binding.connection is not None else binding.pin
 
 
 def looks_up_ports(plan: migration.MigrationPlan) -> bool:

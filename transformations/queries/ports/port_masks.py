@@ -19,7 +19,9 @@ from msgspec import Struct
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries import fixed_points
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.fixed_points import FixedPoints
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
@@ -31,8 +33,6 @@ from robosmi.transformations.queries.values import LIMIT, Value, Values
 WORD = 32
 """Bits of a register."""
 _ALL = (1 << WORD) - 1
-_DEEP = 12
-"""Depth to which the sources of a stored mask are followed."""
 _TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
 
 
@@ -47,42 +47,35 @@ class PortMasks:
         self.given = GivenValues(views)
         self._values = {id(v.unit): Values(v.program, v.unit) for v in views}
         self._reached = {id(v.unit): ReachedValues(v.program, v.unit) for v in views}
-        self._assumed: dict[Hashable, int] = {}
-        self._active: set[Hashable] = set()
-        self._again = False
-        """Whether the numbers that were computed last depend on themselves."""
+        self._bits = FixedPoints(0)
+        self._numbers: FixedPoints[frozenset[int]] = FixedPoints(frozenset())
 
     def values(self, expression: Element | None) -> list[Value]:
         """The values of an expression as `Values` reads them in its unit."""
         return self._values[_unit(expression)].of(expression)
 
-    def numbers(self, expression: Element | None) -> set[int] | None:
+    def numbers(self, expression: Element | None) -> frozenset[int] | None:
         """The values of an expression as `Values` computes them in its unit."""
+        return self._numbers_of(expression) or None
+
+    def _numbers_of(self, expression: Element | None) -> frozenset[int] | None:
+        """As `numbers`; while the values of a thing are computed from themselves, those that have been found so far."""
         reached = self._reached[_unit(expression)]
         for known in (self.values(expression), reached.of(expression)):
             found = {value.number for value in known}
             if None not in found:
-                return {number for number in found if number is not None}
+                return frozenset(number for number in found if number is not None)
         if isinstance(expression, ccode.ConditionalExpression):
-            return _together([self.numbers(expression.whenTrue), self.numbers(expression.whenFalse)])
+            return _together(self._numbers_of(way) for way in (expression.whenTrue, expression.whenFalse))
         if isinstance(expression, ccode.Binary):
-            self._again = False
-            left, right = self.numbers(expression.left), self.numbers(expression.right)
-            if left is None or right is None or self._again or len(left) * len(right) > LIMIT:
+            left, right = self._numbers_of(expression.left), self._numbers_of(expression.right)
+            if left is None or right is None or len(left) * len(right) > LIMIT:
                 return None
             made = {calculate(str(expression.operator), a, b) for a in left for b in right}
-            return None if None in made else {number for number in made if number is not None}
+            return None if None in made else frozenset(number for number in made if number is not None)
         key = self._thing(expression)
-        if key is None:
-            return None
-        if key in self._active:
-            self._again = True
-            return set()
-        self._active.add(key)
-        try:
-            return _together([self.numbers(one) for one in self.given.of(key)]) or None
-        finally:
-            self._active.discard(key)
+        given = self.given.of(key) if key is not None else []
+        return self._numbers.of(key, lambda: (self._numbers_of(one) for one in given)) if given else None
 
     def bits(self, expression: Element | None) -> int | None:
         """The bits that may be set in an expression's value; None where the text does not bound them."""
@@ -104,24 +97,8 @@ class PortMasks:
 
     def _kept(self, key: Hashable) -> int | None:
         """The bits that the values of a thing may have: the least fixed point if it is computed from itself."""
-        if key in self._assumed or len(self._assumed) > _DEEP:
-            return self._assumed.get(key)
         given = self.given.of(key)
-        found = 0
-        try:
-            while True:
-                self._assumed[key] = found
-                more = found
-                for one in given:
-                    made = self.bits(one)
-                    if made is None:
-                        return None
-                    more |= made
-                if more == found:
-                    return found if given else None
-                found = more
-        finally:
-            self._assumed.pop(key, None)
+        return self._bits.of(key, lambda: (self.bits(one) for one in given)) if given else None
 
     def cleared(self, expression: Element | None, whole: int) -> int | None:
         """The bits of `whole` that may be clear in an expression's value; None where the text does not bound them."""
@@ -135,15 +112,8 @@ class PortMasks:
         if isinstance(expression, (ccode.Binary, ccode.Assignment)) and expression.operator in ("&", "&="):
             return union(self.cleared(side, whole) for side in (expression.left, expression.right))
         key = self.given.key(expression)
-        if key is None or not self.given.of(key):
-            return None
-        if key in self._active:
-            return 0
-        self._active.add(key)
-        try:
-            return union(self.cleared(one, whole) for one in self.given.of(key))
-        finally:
-            self._active.discard(key)
+        given = self.given.of(key) if key is not None else []
+        return self._bits.of(("cleared", key, whole), lambda: (self.cleared(one, whole) for one in given)) if given else None
 
     def _binary(self, binary: ccode.Binary) -> int | None:
         return self._combined(binary, str(binary.operator))
@@ -169,7 +139,7 @@ class PortMasks:
             return left | right
         return left if operator == "-" and not right & ~left else None
 
-    def _shifted(self, left: ccode.Expression | None, places: set[int] | None, operator: str) -> int | None:
+    def _shifted(self, left: ccode.Expression | None, places: frozenset[int] | None, operator: str) -> int | None:
         again = self.given.key(left)
         bits = self.bits(left)
         if bits is None or places is None:
@@ -177,7 +147,7 @@ class PortMasks:
         bits, found = bits & _ALL, 0
         for place in places:  # a shift of the source counts the lower bits of its place
             found |= bits << place % WORD if operator == "<<" else bits >> place % WORD
-        if again in self._assumed and operator == "<<":
+        if again in self._bits.active and operator == "<<":
             return self._bounded(left, found)
         return found & _ALL
 
@@ -220,21 +190,11 @@ def _unit(expression: Element | None) -> int:
 
 def union(parts: Iterable[int | None]) -> int | None:
     """The union of some masks; None if one of them is unknown."""
-    found = 0
-    for part in parts:
-        if part is None:
-            return None
-        found |= part
-    return found
+    return fixed_points.union(parts, 0)
 
 
-def _together(parts: Sequence[set[int] | None]) -> set[int] | None:
-    found: set[int] = set()
-    for part in parts:
-        if part is None:
-            return None
-        found |= part
-    return found
+def _together(parts: Iterable[frozenset[int] | None]) -> frozenset[int] | None:
+    return fixed_points.union(parts, frozenset())
 
 
 class MemberKey(Struct, frozen=True):

@@ -83,7 +83,12 @@ def _looked_at(value: Element | None, masks: PortMasks, shifted: int, seen: set[
     if isinstance(parent, ccode.Binary) and operator == "&":
         mask = masks.bits(parent.right if parent.left is value else parent.left)
         return None if mask is None else (mask if mask >= 0 else mask & _ALL) << shifted
-    if isinstance(parent, ccode.Binary) and operator == "%" and parent.left is value and masks.numbers(parent.right) == {2}:
+    if (
+        isinstance(parent, ccode.Binary)
+        and operator == "%"
+        and parent.left is value
+        and masks.numbers(parent.right) == frozenset([2])
+    ):
         return 1 << shifted
     if isinstance(parent, ccode.Binary) and operator == ">>" and parent.left is value:
         places = masks.numbers(parent.right)

@@ -13,6 +13,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, of_use, type_of
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.own_headers import included, unit_of
@@ -68,9 +69,10 @@ def is_unprototyped(use: ccode.TypeUse | None) -> bool:
     return use is not None and bool(_UNSAID.search(str(use.spelling or "")))
 
 
-def concerns(unit: ccode.SourceUnit) -> bool:
+def concerns(view: CodeView) -> bool:
     """Whether a unit, or an own header that it includes, declares such a pointer."""
-    return any(is_unprototyped(use) for each in (unit, *included(unit)) for use in all_of_kind(each, ccode.TypeUse))
+    headers = (use for header in included(view.unit) for use in all_of_kind(header, ccode.TypeUse))
+    return any(is_unprototyped(use) for use in (*view.of_kind(ccode.TypeUse), *headers))
 
 
 def parameters_of(function: ccode.Function) -> tuple[str, str]:

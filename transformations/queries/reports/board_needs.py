@@ -11,11 +11,13 @@ from typing import Any, NamedTuple
 
 from msgspec import Struct
 
+from robosmi.base.quantities import quantity
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.board_models import load_board, mapped_boards
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import platform_of
 from robosmi.transformations.queries.plans.plan_adapters import closure, emitted
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 from robosmi.transformations.queries.ports.split_wires import answering_pin
 from robosmi.transformations.queries.resources.loop_time import Time, loop_time
@@ -131,15 +133,11 @@ def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
     used = [b for b in plan.portBindings if not is_idle(plan, b)]
-    bound = {id(pin) for b in used for pin in (_pin(b), answering_pin(b)) if pin is not None}
+    bound = {id(pin) for b in used for pin in (bound_pin(b), answering_pin(b)) if pin is not None}
     bound |= {id(pin) for pin in pins_for_motors(plan)}
     drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
     wanted = sum(b.open for b in plan.portBindings)
     return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)
-
-
-def _pin(binding: migration.PortBinding) -> platform.Pin | None:
-    return binding.connection.pin if binding.connection is not None else binding.pin
 
 
 def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
@@ -199,7 +197,7 @@ def needs_in_words(needs: BoardNeeds) -> str:
         )
     if pins.of_board and (pins.used or pins.drawn or pins.wanted):
         more = f", {pins.wanted} still to assign" if pins.wanted else ""
-        spare = f", {pins.drawn} wired pin{'s' * (pins.drawn != 1)} the program does not use yet" if pins.drawn else ""
+        spare = f", {quantity(pins.drawn, 'wired pin')} the program does not use yet" if pins.drawn else ""
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
     known = needs.memory
@@ -245,7 +243,7 @@ def shortages(needs: BoardNeeds) -> list[str]:
         found[-1] += f"; '{needs.roomier}' may have enough"
     if needs.pins.missing:
         needed = needs.pins.used + needs.pins.wanted
-        few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
+        few = f"{quantity(needs.pins.missing, 'pin')} too few"
         found.append(f"{few}: the program needs {needed}, the board has {needs.pins.of_board}")
     found += [f"{timer.timer} is needed by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
     return found

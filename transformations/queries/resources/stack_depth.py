@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import all_of_kind
+from robosmi.query import all_contents
 from robosmi.transformations.queries.constants.compiled_code import CompiledCode, way
 from robosmi.transformations.queries.flows.call_chains import FRAME, Taken, deepest_chain
 from robosmi.transformations.queries.plans.plan_adapters import closure, emitted
@@ -60,9 +60,10 @@ class _Program:
     def taken_by(self, function: ccode.Function) -> Taken:
         """The stack that one of the program's functions takes."""
         assert function.body is not None  # only functions with one are followed
-        calls = [call for call in all_of_kind(function.body, ccode.Call) if id(call) in self._live]
-        names = [each for each in all_of_kind(function.body, ccode.NameReference) if id(each) in self._live]
-        variables = [each for each in all_of_kind(function.body, ccode.Variable) if id(each) in self._live]
+        live = [each for each in all_contents(function.body) if id(each) in self._live]
+        calls = [each for each in live if isinstance(each, ccode.Call)]
+        names = [each for each in live if isinstance(each, ccode.NameReference)]
+        variables = [each for each in live if isinstance(each, ccode.Variable)]
         own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
         own += [function for call in calls for function in self._pointed.get(id(call), ())]
         others = [self._call(call) for call in calls if call.callee is None or call.callee.body is None]

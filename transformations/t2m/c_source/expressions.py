@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from robosmi.errors import SourceError
+from robosmi.errors import TooLargeError
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import literals, macros, types
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
@@ -103,10 +103,10 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
         children: the cursors of the callee and of the arguments.
 
     Raises:
-        SourceError: the file makes more than `MOST_CALLS`.
+        TooLargeError: the file makes more than `MOST_CALLS`.
     """
     if len(context.call_nodes) >= MOST_CALLS:
-        raise SourceError(
+        raise TooLargeError(
             f"the file makes more than {MOST_CALLS:,} calls, those in macros counted each time",
             location=context.source.location(node.start),
             fix="put repeated calls into loops, or leave generated code out",

@@ -15,7 +15,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import SourceError, TooLargeError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.construct import connect
@@ -64,7 +64,8 @@ def read_program(
         The code model with its externals, and the findings (rules RS101 to RS107, RS114) in the order of the units.
 
     Raises:
-        SourceError: a file cannot be read or is no C, or there are more than `MOST_FILES`.
+        SourceError: a file cannot be read or is no C.
+        TooLargeError: there are more than `MOST_FILES`.
         UsageError: no file is given.
         PlatformDataError: the repository has no such platform.
         MissingToolError: libclang is not installed.
@@ -77,7 +78,7 @@ def read_program(
     contexts: list[UnitContext] = []
     files = source_files(given, folders, defines, api.sketch)
     if len(files) > MOST_FILES:
-        raise SourceError(
+        raise TooLargeError(
             f"the program has {len(files)} source files, but the limit for one program is {MOST_FILES}",
             location=Location(os.fspath(given[0])), fix="give the files of one program, or one part at a time",
         )  # fmt: skip

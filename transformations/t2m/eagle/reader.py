@@ -21,7 +21,7 @@ from lxml import etree
 from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, did_you_mean
+from robosmi.errors import SourceError, TooLargeError, did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
@@ -305,7 +305,7 @@ class _Reading:
         if count > most:
             cause = f"it has more than {most:,} {what}"
             place = Location(self.made.path, line_of(element))
-            raise SourceError(cause, location=place, fix="check that it is the drawing you meant")
+            raise TooLargeError(cause, location=place, fix="check that it is the drawing you meant")
 
     def _instances(self, owner: etree._Element, prefix: str, inside: tuple[str, ...]) -> Iterator[tuple[str, set[str]]]:
         """Collect the contents of the module instances; yields the name of each instance with the names of its ports."""

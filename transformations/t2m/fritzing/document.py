@@ -12,7 +12,7 @@ from lxml import etree
 from msgspec import Struct
 
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
 
 VIEWS = ("breadboardView", "schematicView", "pcbView")
@@ -91,7 +91,7 @@ def parse_sketch(data: bytes, path: str, name: str) -> FritzingSketch:
             _no_sketch(root, name), location=Location(path, line_of(root)), fix="give the .fz or .fzz file of a sketch"
         )
     if len(instances) > MAX_INSTANCES:
-        raise SourceError(
+        raise TooLargeError(
             f"the sketch has {len(instances):,} parts and wires, but the limit is {MAX_INSTANCES:,}",
             location=Location(path, line_of(instances)),
             fix="check that it is a drawing, or draw its board alone",

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable
 from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.transformations.t2m.connectivity import Joined, Node
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End
 from robosmi.transformations.t2m.kicad.nets import SheetNets
@@ -200,8 +200,8 @@ class Hierarchy:
             sheet=part.sheet,
         )  # fmt: skip
 
-    def _error(self, cause: str, line: int) -> SourceError:
-        return SourceError(cause, location=Location(self.root.file, line), fix="check that it is the drawing you meant")
+    def _error(self, cause: str, line: int) -> TooLargeError:
+        return TooLargeError(cause, location=Location(self.root.file, line), fix="check that it is the drawing you meant")
 
 
 _OWN = ("Reference", "Value", "Datasheet", "Description", "ki_description", "ki_keywords", "ki_fp_filters", "ki_locked")

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.transformations.t2m.kicad.expressions import (
     FIX,
     Expression,
@@ -74,7 +74,7 @@ class _Modern:
         entries = [*listed.members(listed.root)]
         if sum(entry.head == "symbol" for entry in entries) > MOST_SYMBOLS:
             fix = "check that it is the drawing you meant"
-            raise SourceError(f"it has more than {MOST_SYMBOLS:,} symbols", location=Location(listed.path, 1), fix=fix)
+            raise TooLargeError(f"it has more than {MOST_SYMBOLS:,} symbols", location=Location(listed.path, 1), fix=fix)
         for entry in entries:
             try:
                 if entry.head == "lib_symbols":

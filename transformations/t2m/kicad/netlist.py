@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from robosmi.diagnostics import Location, Severity
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, text_of, word
 from robosmi.transformations.t2m.kicad.sheet import net_name, of_library
@@ -43,7 +43,7 @@ class _Netlist:
         if len(components) > MOST_PARTS:
             place = Location(self.made.path, self.listed.line(components[MOST_PARTS].start))
             fix = "check that it is the drawing you meant"
-            raise SourceError(f"it has more than {MOST_PARTS:,} parts", location=place, fix=fix)
+            raise TooLargeError(f"it has more than {MOST_PARTS:,} parts", location=place, fix=fix)
         for entry in components:
             self._component(entry, library)
         self.made.parts = with_unique_titles(self.made.parts)

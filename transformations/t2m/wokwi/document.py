@@ -19,7 +19,7 @@ from msgspec import Struct
 
 from robosmi.base.data_text import Json, json_at
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
 
 MOST_PARTS = 20_000
@@ -192,7 +192,7 @@ class _Reading:
             items.append(_Entry(value, place))
             if len(items) > MOST_PARTS:
                 cause = f"it has more than {MOST_PARTS:,} parts or connections"
-                raise self._error(cause, place, "check that it is the diagram you meant")
+                raise TooLargeError(cause, location=self._location(place), fix="check that it is the diagram you meant")
             end = self._skip(end)
             if self._at("]", end):
                 return items, end + 1
@@ -234,9 +234,12 @@ class _Reading:
         return bisect_right(self.breaks, place - 1) + 1
 
     def _error(self, cause: str, place: int, fix: str) -> SourceError:
+        return SourceError(cause, location=self._location(place), fix=fix)
+
+    def _location(self, place: int) -> Location:
         line = self._line(place)
         column = place - (self.breaks[line - 2] if line > 1 else -1)
-        return SourceError(cause, location=Location(str(self.path), line, column), fix=fix)
+        return Location(str(self.path), line, column)
 
 
 def _text(value: object) -> str:

@@ -37,6 +37,7 @@ from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.place_names import named, names_within
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of, servo_pins
 from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
+from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import program_ports
 from robosmi.transformations.queries.ports.split_wires import answering_pin, written_pin
@@ -173,7 +174,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             continue
         source = f"AD{channel[1] or channel[2]}" if channel is not None else api.port_name(number)
         connection = binding.connection
-        pin = connection.pin if connection is not None and connection.pin is not None else binding.pin
+        pin = bound_pin(binding)
         component = connection.component if connection is not None else None
         used = uses.get(number, {}) if channel is None else {}
         line = not lines.isdisjoint(used)

@@ -48,6 +48,7 @@ class SimulatedKind(TypedDict, total=False):
     driven: bool
     driven_as_output: bool
     happens: bool
+    pauses: str
     rests_in: str
     rests_within: float
     rounded_to: float

@@ -30,6 +30,7 @@ class _Ranger(Device):
     def start(self) -> None:
         """Start without an echo."""
         self._begun: float | None = None
+        self._answered_us: float | None = None
         self.bench.set_level(self.pins[self.echo], 0)
 
     def pin_changed(self, pin: str, level: Level) -> None:
@@ -43,6 +44,9 @@ class _Ranger(Device):
             distance = value_at(self.settings["points"], self.bench.now)
             if width >= self.settings["asks"]:
                 self.note("asked", distance)
+                if self._answered_us is not None and self._answered_us < self.bench.now:
+                    self.note("pause", round(self.bench.now - self._answered_us, 3))
+                self._answered_us = None
                 if distance is not None:
                     self._answer(self.bench.now + self.hold_off_us, distance * _ROUND_TRIP_US)
 
@@ -50,6 +54,7 @@ class _Ranger(Device):
         pin = self.pins[self.echo]
         self.bench.set_level_at(at_us, pin, 1)
         self.bench.set_level_at(at_us + width_us, pin, 0)
+        self._answered_us = at_us + width_us
 
 
 class Ranger(_Ranger):

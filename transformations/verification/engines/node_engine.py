@@ -163,8 +163,8 @@ class NodeBench(Bench):
     def run(self) -> PinTrace:
         """Run until the horizon."""
         job = self.job
-        own = self.question()
         self.connect(job.devices, job.brief)
+        own = self.question()
         begun, self._commands = self._commands, []
         end = round(job.horizon_us * self.clock_hz / 1e6)
         shared: dict[str, Json] = {"pins": dict(job.pins), "end": end, "reached": job.reached}

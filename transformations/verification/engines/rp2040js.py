@@ -1,8 +1,9 @@
 """The engine `rp2040js`: the simulator of that name (npm, MIT); an RP2040 with its first core.
 
 Its program is `rp2040js_run.cjs`. `rp2040js_repairs.cjs` has what the simulator does otherwise than the chip, `rp2040js_rom.cjs`
-a boot ROM. Flash has no wait states and calls of the ROM take no time: programs run a little faster than on a chip. The console
-is `Serial` on USB, which a PC opens about 11 ms after the start.
+a boot ROM. `rp2040js_rounds.cjs` skips rounds of waiting loops, to the cycle. `rp2040js_bus.cjs` reads a two-wire bus that a
+program makes at any two pins. Flash has no wait states and calls of the ROM take no time: programs run a little faster than on
+a chip. The console is `Serial` on USB, which a PC opens about 11 ms after the start.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ class _Run(NodeBench):
         return _NANOSECONDS
 
     def question(self) -> dict[str, Json]:
-        """The linked program, and the converter's reference."""
-        return {"elf": self.job.elf, "volts": self.job.supply_mv / 1000}
+        """The linked program, the converter's reference, and whether devices are on a two-wire bus."""
+        return {"elf": self.job.elf, "volts": self.job.supply_mv / 1000, "bus": self.has_bus}
 
     def noted(self, values: list[Any]) -> None:
         """Record a wave."""

@@ -7,6 +7,8 @@ const fs = require('fs');
 const { RP2040, USBCDC } = require('rp2040js');
 const repairs = require('./rp2040js_repairs.cjs');
 const rom = require('./rp2040js_rom.cjs');
+const { rounds } = require('./rp2040js_rounds.cjs');
+const { bus: ownBus } = require('./rp2040js_bus.cjs');
 
 const FLASH = 0x10000000, RAM = 0x20000000, RAM_END = 0x20042000, TABLES = [FLASH + 0x100, FLASH, RAM]; // behind the second boot stage; without; in RAM
 const LOADED = 1; // a segment of an ELF file
@@ -144,8 +146,10 @@ function changed(pin) {
 }
 function drives(pin, level) {
   if (level === pin.level) return;
+  const before = pin.level;
   pin.level = level;
   settle(pin);
+  if (ownLines !== null) ownLines(pin, before);
   if (pin.contact !== null) settle(pin.contact);
   if (brief.has(pin.label)) {
     if (told.has(pin.label + level)) return;
@@ -251,6 +255,10 @@ function asked(question) {
   ask({ ask: 'bus', ...question });
   return answer;
 }
+const ownLines = job.bus ? ownBus(asked, (pin, level) => {
+  pin.outside = level;
+  settle(pin);
+}) : null;
 for (const bus of chip.i2c) {
   let address = -1;
   const byteTime = () => 9e9 * (bus.sclLowPeriod + bus.sclHighPeriod) / chip.clkSys || 90000;
@@ -274,12 +282,21 @@ ask({ ask: 'start' });
 let cycle = 1e9 / chip.clkSys;
 chip.addClockListener((hertz) => { cycle = 1e9 / hertz; });
 const reached = job.reached ? new Uint8Array(chip.flash.length >> 1) : null;
+const spins = rounds(chip);
 function awake() {
+  const { registers } = core;
+  spins.disturb();
   do {
-    if (reached !== null && core.PC >>> 28 === 1) reached[(core.PC & 0xffffff) >> 1] = 1;
+    const from = registers[15];
+    if (reached !== null && from >>> 28 === 1) reached[(from & 0xffffff) >> 1] = 1;
     const span = core.executeInstruction() * cycle, at = clock.nanosCounter + span, next = clock.nextAlarm;
-    if (next !== null && next.nanos <= at) clock.tick(span);
-    else clock.nanosCounter = at;
+    if (next !== null && next.nanos <= at) {
+      spins.disturb();
+      clock.tick(span);
+    } else {
+      clock.nanosCounter = at;
+      if (registers[15] < from) clock.nanosCounter += spins.jumped(at, next === null ? until : Math.min(until, next.nanos));
+    }
   } while (clock.nanosCounter < until && !core.waiting && !crashed);
 }
 function asleep() {

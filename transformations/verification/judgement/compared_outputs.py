@@ -9,6 +9,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.queries.programs.live_code import live_in
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, STANDING
+from robosmi.transformations.verification.pause_comparison import PAUSES
 from robosmi.transformations.verification.rest_comparison import RESTING
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, SAME
@@ -40,8 +41,8 @@ def compared_outputs(
     }
     for channel in verdict.channels():
         name, status = str(channel["name"]), channel["status"]
-        if status == NOT_EXERCISED and (name in (PROGRAM, CONSOLE_CHANNEL) or name in idle):
-            continue
+        if name.endswith(PAUSES) or (status == NOT_EXERCISED and (name in (PROGRAM, CONSOLE_CHANNEL) or name in idle)):
+            continue  # a sensor that the program asks is no output
         if not name.endswith(_ASPECTS):
             found[name] = found.get(name, False) or status in (SAME, DIFFERENT)
         elif (output := _output(name)) in found and status in (SAME, DIFFERENT):

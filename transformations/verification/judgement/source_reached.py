@@ -16,13 +16,12 @@ from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.verify.missed_lines import line_ranges
 from robosmi.verify.original import Original, SourceCoverage
 from robosmi.verify.toolchains.sketch import find_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from robosmi.verify.traces.verdict import NOT_DECIDABLE, ScenarioVerdict, Verdict
 
 
 def _open_now(output: Path) -> dict[str, bool]:
     """Function of the output program as it is now -> whether its body is still to be written, whatever the plan says."""
-    sketch, _ = find_sketch(output, load_toolchains())
+    sketch, _ = find_sketch(output)
     files = [sketch.main, *sketch.parts, *(path for path in sketch.folder.glob("*") if path.suffix in (".h", ".hpp"))]
     return open_bodies(inputs.read_text(path, inputs.SOURCE, errors=AS_BYTES) for path in files)
 

@@ -63,9 +63,8 @@ def sketch_digests(output: Path) -> dict[str, str]:
     """
     from robosmi.verify.toolchains.compiled_program import digests, folder_of  # few runs find a verdict
     from robosmi.verify.toolchains.sketch import find_sketch
-    from robosmi.verify.toolchains.toolchain_data import load_toolchains
 
-    sketch, _ = find_sketch(output, load_toolchains())
+    sketch, _ = find_sketch(output)
     return digests(sketch, folder_of(output, sketch))
 
 

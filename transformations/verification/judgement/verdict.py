@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
+from robosmi.base.quantities import quantity
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.after_the_end import compared_after_the_end
@@ -35,6 +36,7 @@ from robosmi.transformations.verification.original_side import (
     channel_events,
     compared,
 )
+from robosmi.transformations.verification.pause_comparison import PAUSES, pauses_compared
 from robosmi.transformations.verification.rest_comparison import RESTING, rests_compared
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.scenario import Scenario
@@ -86,6 +88,9 @@ def verdict_of(
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
     found = tuple(each for each in found if each.channel != EEPROM_CHANNEL or each.status in (SAME, DIFFERENT))
     found += rests_compared(runs.rests, trace, ports)
+    pauses = pauses_compared(runs.pauses, nominal.trace, trace, ports, scenario, horizon_ms)
+    if any(each.status != NOT_EXERCISED for each in found):
+        found += pauses
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
     found = _beside(_behind_their_own(found), nominal.trace, trace, ports, at_rest)
@@ -175,7 +180,8 @@ def _in_order(
     target: Mapping[str, Sequence[list[ActivityEvent]]],
 ) -> tuple[ChannelComparison, ...]:
     """The channels, one of which is different if close events of two of them have another order on the target."""
-    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith((DRIVEN, PULSED, STANDING, RESTING))]
+    beside = (DRIVEN, PULSED, STANDING, RESTING, PAUSES)
+    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith(beside)]
     changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
     disorder = first_disorder(
         {name: runs.channels[name][0] for name in same},
@@ -256,7 +262,7 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
     idle = [str(channel["name"]) for channel in verdict.channels()]
     where = "in any test case (give one in which it changes: --scenario FILE)"
     if verdict.racy:
-        others = f"{verdict.racy} other{'s' * (verdict.racy != 1)}"
+        others = quantity(verdict.racy, "other")
         where = (
             f"in the remaining test cases; in {others} the original is not repeatable "
             "(give one in which it is repeatable: --scenario FILE, or check on the bench)"

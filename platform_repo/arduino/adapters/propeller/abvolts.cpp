@@ -1,6 +1,6 @@
 //# header abvolts.h
 // Voltages of the ActivityBot's board, in and out. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Convert/libabvolts (abvolts.h, abvolts.c, abvoltsF.c, abvoltsDA.c, daVolts.c).
-// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the Uno's own is used, with 10 bits.
+// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the microcontroller's own is used.
 
 //# helper ad_pins
 //#   port: ad_0 = abvolts.channel_0 0 analog in
@@ -92,9 +92,11 @@ inline void da_res(int32_t bits) {
 //#   for: void da_out(int channel, int daVal)
 //#   kind: semantic
 //#   needs: da_bits da_pins
+//#   setup rp2040: analogWriteFreq(20000);
 //#   fidelity avr: the mean voltage, of 8 bits and 5 V
 //#   fidelity other: the mean voltage, of 8 bits and the supply of the board
 //#   limit avr: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit rp2040: a PWM of 20 kHz instead of pulses of 12.5 ns: a filter has to be some hundred times slower
 //#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   limit avr: full scale is 5 V instead of 3.3 V
 //#   stack: 6 2
@@ -111,6 +113,7 @@ inline void da_out(int32_t channel, int32_t daVal) {
 //#   fidelity avr: so many volts in the mean, of the 5 V of this board; no more than 3.3 V, as there
 //#   fidelity other: so many volts in the mean, no more than 3.3 V, as there
 //#   limit avr: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit rp2040: a PWM of 20 kHz instead of pulses of 12.5 ns: a filter has to be some hundred times slower
 //#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   stack: 18 8
 inline void da_volts(int32_t channel, float daVal) {

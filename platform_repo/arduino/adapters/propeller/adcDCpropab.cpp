@@ -1,6 +1,6 @@
 //# header adcDCpropab.h
 // Voltages on four channels. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Convert/libadcDCpropab (adcDCpropab.h, adcDCpropab.c, adcDCVpropab.c).
-// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the Uno's own is used, with 10 bits.
+// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the microcontroller's own is used.
 
 //# helper adc_pins
 //#   port: adc_0 = adcDCpropab.channel_0 0 analog in

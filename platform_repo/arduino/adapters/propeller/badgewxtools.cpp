@@ -1,5 +1,5 @@
 //# header badgewxtools.h
-//# unsupported the badge WX has a colour display, an accelerometer, LEDs, touch buttons and infrared on a board of its own; a bare Uno has none of them
+//# unsupported the badge WX has a colour display, an accelerometer, LEDs, touch buttons and infrared on a board of its own; no adapter replaces them
 
 // ---------------------------------------------------------------- values of the header
 

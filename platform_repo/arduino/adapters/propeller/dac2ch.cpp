@@ -28,11 +28,13 @@ inline dac2ch *dac2ch_start(int32_t bits) {
 //#   for: void dac2ch_set(dac2ch *device, int pin, int channel, int dacVal)
 //#   kind: semantic
 //#   needs: dac2ch hal/Io
+//#   setup rp2040: analogWriteFreq(20000);
 //#   pin: pin pwm out
 //#   fidelity avr: the mean voltage, of 8 bits and 5 V; less than nothing makes the pin an input, and so does another pin of the channel
 //#   fidelity other: the mean voltage, of 8 bits and the supply of the board; less than nothing makes the pin an input, and so does
 //#   fidelity other: another pin of the channel
 //#   limit avr: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit rp2040: a PWM of 20 kHz instead of pulses of 12.5 ns: a filter has to be some hundred times slower
 //#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   limit avr: full scale is 5 V instead of 3.3 V
 //#   stack: 36 20

@@ -24,6 +24,7 @@ struct dacmem {
 
 //# helper dac_put
 //#   needs: dac hal/Io
+//#   setup rp2040: analogWriteFreq(20000);
 inline void dac_put(const dac *da, int32_t value) {
   Io io(da->daPin);
   uint32_t fraction = (uint32_t)value << da->daBitX;  // of 2 to the power of 32; what does not fit is lost, as there
@@ -69,6 +70,7 @@ inline dac dac_setup(int32_t pin, int32_t channel, int32_t bits) {
 //#   fidelity avr: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there; a value for another cog is kept until dac_start
 //#   fidelity other: the mean voltage within 0.4 % of the supply; a value for another cog is kept until dac_start
 //#   limit avr: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   limit rp2040: 20 kHz instead of megahertz: a filter needs up to fifty times the capacity
 //#   limit other: 1 kHz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
 //#   stack: 10 2

@@ -1,5 +1,5 @@
 //# header il3820.h
-//# unsupported the picture of the e-paper display takes 5 KB of RAM; an Uno has 2
+//# unsupported the picture of the e-paper display takes 5 KB of RAM, and no adapter draws it
 
 // ---------------------------------------------------------------- values of the header
 

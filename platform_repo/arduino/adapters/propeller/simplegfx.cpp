@@ -1,5 +1,5 @@
 //# header simplegfx.h
-//# unsupported it draws into the memory of a display, which is larger than the RAM of an Uno
+//# unsupported it draws into the memory of a display, which no adapter has
 
 // ---------------------------------------------------------------- values of the header
 

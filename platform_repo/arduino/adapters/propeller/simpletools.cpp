@@ -647,10 +647,12 @@ inline void end_dac(uint8_t channel) {
 //#   for: void dac_ctr(int pin, int channel, int dacVal)
 //#   kind: semantic
 //#   needs: hal/Io dac_pins dac_bits end_dac
+//#   setup rp2040: analogWriteFreq(20000);
 //#   pin: pin pwm out
 //#   fidelity avr: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
 //#   fidelity other: the mean voltage within 0.4 % of the supply
 //#   limit avr: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   limit rp2040: 20 kHz instead of megahertz: a filter needs up to fifty times the capacity
 //#   limit other: 1 kHz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
 //#   stack: 24 12

@@ -1,2 +1,2 @@
 //# header sound.h
-//# unsupported four voices are mixed by a cog; an Uno makes one tone at a time
+//# unsupported four voices are mixed by a cog; adapters make one tone at a time

@@ -105,7 +105,7 @@ inline int16_t days_before(int32_t month, int32_t year) {
 //# helper the_time
 //#   fidelity: what gmtime and localtime give, both the same one, as there
 //#   include: <time.h>
-//#   ram: 14
+//#   ram: 12
 static struct tm the_time;
 
 //# adapter gmtime_r

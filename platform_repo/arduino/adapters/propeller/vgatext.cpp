@@ -1,5 +1,5 @@
 //# header vgatext.h
-//# unsupported the picture is made by a cog at 25 MHz; an Uno cannot
+//# unsupported the picture is made by a cog at 25 MHz, and no adapter makes it
 
 // ---------------------------------------------------------------- values of the header
 

@@ -1,2 +1,2 @@
 //# header wavplayer.h
-//# unsupported samples of a card are played by two cogs; an Uno has neither the time nor the memory for both
+//# unsupported samples of a card are played by two cogs, and no adapter plays them

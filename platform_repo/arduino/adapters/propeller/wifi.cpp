@@ -1,5 +1,5 @@
 //# header wifi.h
-//# unsupported the Parallax WX module talks to a cog at 115,200 baud both ways; an Uno has no second serial line of that speed
+//# unsupported the Parallax WX module talks to a cog at 115,200 baud both ways, and no adapter does
 
 // ---------------------------------------------------------------- values of the header
 

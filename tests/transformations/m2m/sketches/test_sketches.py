@@ -115,6 +115,22 @@ def test_what_differs_is_cured_by_rule_and_the_rest_is_a_task(tmp_path: Path) ->
     assert left == {(22, "other_register")}
 
 
+def test_a_drawing_of_the_new_board_binds_the_pins(tmp_path: Path) -> None:
+    outcome = migrated("drawn", tmp_path, "--hardware", str(HERE / "drawn" / "pico.json"))
+    assert changed(tmp_path, "drawn") == {1: "const int TRIG = 3;", 2: "const int ECHO = 4;"}
+    assert not tasks(outcome, "RS347")
+
+
+def test_a_part_at_the_same_pin_of_a_like_board_needs_no_choice(tmp_path: Path) -> None:
+    outcome = migrated("drawn", tmp_path, "--hardware", str(HERE / "drawn" / "mega.json"), target="mega")
+    assert changed(tmp_path, "drawn") == {}
+    assert not tasks(outcome, "RS330")
+
+
+def test_a_drawing_of_another_board_is_refused(tmp_path: Path) -> None:
+    assert migrated("drawn", tmp_path, "--hardware", str(HERE / "drawn" / "mega.json")).code == 3
+
+
 def test_headers_that_nobody_has_stop_nothing(tmp_path: Path) -> None:
     outcome = migrated("libraries", tmp_path, "--bind", "D2=GP16", "--bind", "horn=GP4")
     assert outcome.code in (0, 1)

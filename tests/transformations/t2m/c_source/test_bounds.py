@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from hypothesis import given, strategies as st
 
-from robosmi.errors import RobosmiError, SourceError
+from robosmi.errors import RobosmiError, SourceError, TooLargeError
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
@@ -177,7 +177,7 @@ def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
 def test_more_files_than_memory_is_for_are_refused(tmp_path: Path) -> None:
     for number in range(MOST_FILES + 1):
         (tmp_path / f"s{number}.c").write_text(f"int g{number};\n")
-    with pytest.raises(SourceError, match=f"{MOST_FILES + 1} source files.* {MOST_FILES}") as raised:
+    with pytest.raises(TooLargeError, match=f"{MOST_FILES + 1} source files.* {MOST_FILES}") as raised:
         read_program(tmp_path)
     assert raised.value.fix
     with pytest.raises(SourceError, match="source files, "):
@@ -300,7 +300,7 @@ def test_a_file_makes_no_more_calls_than_any_board_can_hold(tmp_path: Path) -> N
     read, _ = read_program(program, platform="propeller")
     assert len(list(all_of_kind(read, ccode.Call))) == MOST_CALLS
     program.write_text(program.read_text().replace("int main(void) {", "int main(void) { f();"))
-    with pytest.raises(SourceError, match=f"more than {MOST_CALLS:,} calls") as raised:
+    with pytest.raises(TooLargeError, match=f"more than {MOST_CALLS:,} calls") as raised:
         read_program(program, platform="propeller")
     assert raised.value.location is not None
     assert raised.value.location.line == 3 + MOST_CALLS // once

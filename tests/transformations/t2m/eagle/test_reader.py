@@ -97,6 +97,14 @@ KEPT = {
 }
 
 
+@pytest.mark.parametrize("size", ["R0805", "C0603"])
+def test_a_library_called_by_the_size_of_a_resistor_or_capacitor_makes_the_part_one(size: str, tmp_path: Path) -> None:
+    libraries = [device("UNO", UNO), device("LED", TWO, "LED"), device("2-2176053-0", TWO).replace("lib-2-2176053-0", size)]
+    parts = [part("U1", "UNO"), part("LED1", "LED"), part("X4", "2-2176053-0").replace("lib-2-2176053-0", size)]
+    path = schematic(tmp_path, libraries, parts, [net("N$1", "U1.D2", "X4.1"), net("N$2", "X4.2", "LED1.1")])
+    assert {m["pin"]: m["component"] for m in hardware(path).result["mappings"]} == {"D2": "LED1"}
+
+
 @pytest.mark.parametrize("case", [*LED_OUT, *KEPT])
 def test_a_header_that_only_leads_pins_out_is_no_part(case: str, tmp_path: Path) -> None:
     names, on, devices = (LED_OUT | KEPT)[case]
@@ -195,7 +203,7 @@ def test_inputs_of_the_converter_are_called_ain_unless_the_symbol_has_a0(tmp_pat
 @pytest.mark.parametrize(
     ("symbol", "board"),
     [("NANO_FOOTPRINT", "nano"), ("ARD-NANO", "nano"), ("UNO", "uno"), ("ARDUINO_NANO_EVERY", ""), ("NANO_33_IOT", ""),
-     ("ARDUINO_NANO_ESP32", ""), ("ARDUINO_UNO_R4_WIFI", "")],
+     ("ARDUINO_NANO_ESP32", ""), ("ARDUINO_UNO_R4_WIFI", ""), ("A000066", "uno"), ("A000005", "nano"), ("A000062", "")],
 )  # fmt: skip
 def test_boards_are_known_by_their_names_and_those_of_other_microcontrollers_are_not(
     symbol: str, board: str, tmp_path: Path

@@ -50,6 +50,16 @@ def test_the_pico_is_known_with_its_pins_and_its_grounds(part: str, tmp_path: Pa
     assert "RS257" not in rules_of(read_circuit(sketch)[1])
 
 
+def test_the_nano_rp2040_is_known_with_its_pins(tmp_path: Path) -> None:
+    """Of Fritzing's own part: connector0 is TX, and D14 to D19 are what the board calls A0 to A5."""
+    sketch = tmp_path / "nano.fz"
+    sketch.write_text((FIXTURES / "pico.fz").read_text().replace("rpi_pico-tht_1", "02_Arduino-nano-rp2040-tht_1"))
+    circuit = read_circuit(sketch)[0]
+    assert component(circuit, "Pico").boardName == "nano-rp2040"
+    found = [(m["pin"], m["component"]) for m in hardware_of(sketch).result["mappings"]]
+    assert found == [("D1", "LED1"), ("A0", "LED2"), ("A4", "LED2")]
+
+
 @pytest.mark.parametrize("case", CASES)
 def test_case_drawings_read_without_a_finding(case: str) -> None:
     circuit, findings = read_circuit(CASES[case])

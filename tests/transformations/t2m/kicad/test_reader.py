@@ -106,6 +106,50 @@ def test_a_pico_is_known_with_its_pins_and_a_pico_2_is_not(kind: str, value: str
         assert {f"{c.boardConnectors[0].pin}" for c in map_connectors(circuit)[0]} == {"GP15", "GP16", "GP27", "GP28"}
 
 
+DEVKIT = [
+    "SENSOR_VP/GPIO36/ADC1_CH0", "VDET_1/GPIO34/ADC1_CH6", "32K_XP/GPIO32/ADC1_CH4", "DAC_1/ADC2_CH8/GPIO25",
+    "MTMS/GPIO14/ADC2_CH6", "SD_DATA2/GPIO9", "CMD", "ADC2_CH2/GPIO2", "GPIO16", "GPIO17", "U0TXD/GPIO1", "CHIP_PU", "5V",
+]  # fmt: skip
+"""Names of pins of Espressif's symbol ESP32-DevKitC (espressif/kicad-libraries)."""
+C3 = ["GPIO2", "GPIO3", "GPIO19/USB_D-", "GPIO8", "GPIO20/U0RXD", "GPIO21/U0TXD", "RST", "3V3"]
+TEENSY = [
+    "8_TX2_IN1",
+    "13_SCK_CRX1_LED",
+    "14_A0_TX3_SPDIF_OUT",
+    "19_A5_SCL0",
+    "0_RX1_CRX2_CS1",
+    "1_TX1_CTX2_MISO1",
+    "VBAT",
+    "ON_OFF",
+]
+"""Names of pins of the symbol Teensy4.0 (XenGi/teensy_library)."""
+NANO = ["D0/RX", "D1/TX", "D2", "D11_MOSI", "D13_SCK", "A0", "A4/SDA", "RESET", "AREF"]
+UNO = ["D0/RX", "D1/TX", "D2", "D13", "A0", "A5", "SDA", "SCL", "IOREF", "BOOT"]
+"""Names of pins of symbols of Arduino boards (Alarm-Siren/arduino-kicad-library)."""
+
+
+@pytest.mark.parametrize(
+    ("kind", "names", "board", "labels"),
+    [
+        ("Espressif:ESP32-DevKitC", DEVKIT, "esp32", "IO36 IO34 IO32 IO25 IO14 - - IO2 IO16 IO17 IO1 - -"),
+        ("PCM_Espressif:ESP32-C3-DevKitM-1", C3, "esp32c3", "IO2 IO3 IO19 IO8 IO20 IO21 - -"),
+        ("teensy:Teensy4.0", TEENSY, "teensy40", "D8 D13 A0 A5 D0 D1 - -"),
+        ("arduino-library:Arduino_Nano_33_BLE_Socket", NANO, "nano33ble", "D0 D1 D2 D11 D13 A0 A4 - -"),
+        ("arduino-library:Arduino_Nano_RP2040_Connect_Tile", NANO, "nano-rp2040", "D0 D1 D2 D11 D13 A0 A4 - -"),
+        ("arduino-library:Arduino_Uno_R4_Minima_Shield", UNO, "uno-r4-minima", "D0 D1 D2 D13 A0 A5 A4 A5 - -"),
+        ("arduino-library:Arduino_Zero_Shield", UNO, "zero", "D0 D1 D2 D13 A0 A5 SDA SCL - -"),
+        ("arduino-library:Arduino_Uno_R4_WiFi_Shield", UNO, "", ""),
+        ("Espressif:ESP32-S3-DevKitC", C3, "", ""),
+    ],
+)
+def test_a_board_of_32_bits_is_known_with_its_pins(kind: str, names: list[str], board: str, labels: str, tmp_path: Path) -> None:
+    path = schematic(tmp_path / "robot.kicad_sch", placed(kind, "A1", 100, 0), library=[*LIBRARY, symbol(kind, names)])
+    drawn = component_named(read_circuit(path)[0], "A1")
+    assert drawn.boardName == board
+    if board:
+        assert [c.pin or "-" for c in drawn.connectors] == labels.split()
+
+
 def test_members_of_a_bus_go_into_a_sheet_by_their_names(tmp_path: Path) -> None:
     schematic(tmp_path / "lamps.kicad_sch", led("D1", 50, 50), label("L[0..7]", 0, 0, "hierarchical_label"), label("L3", 50, 50))
     path = schematic(

@@ -95,6 +95,34 @@ def test_a_pico_is_known_with_its_pins(kind: str, board: str, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize(
+    ("kind", "board", "pin", "label"),
+    [
+        ("board-esp32-devkit-c-v4", "esp32", "2", "IO2"),
+        ("board-esp32-devkit-c-v4", "esp32", "VP", "IO36"),
+        ("board-esp32-devkit-c-v4", "esp32", "TX", "IO1"),
+        ("board-esp32-devkit-c-v4", "esp32", "D2", ""),  # a line of the flash, GPIO9
+        ("board-esp32-devkit-v1", "esp32", "D2", "IO2"),
+        ("board-esp32-devkit-v1", "esp32", "VN", "IO39"),
+        ("board-esp32-devkit-v1", "esp32", "RX2", "IO16"),
+        ("wokwi-esp32-devkit-v1", "esp32", "D15", "IO15"),
+        ("board-esp32-c3-devkitm-1", "esp32c3", "8", "IO8"),
+        ("board-esp32-c3-devkitm-1", "esp32c3", "TX", "IO21"),
+    ],
+)
+def test_an_esp32_is_known_with_its_pins(kind: str, board: str, pin: str, label: str, tmp_path: Path) -> None:
+    path = diagram(tmp_path, [part("esp", kind), LED], [[f"esp:{pin}", "led1:A", "", []]])
+    circuit, _ = read_circuit(path)
+    assert circuit.components[0].boardName == board
+    assert pins(path) == ({label: "led1"} if label else {})
+
+
+@pytest.mark.parametrize("kind", ["board-esp32-s3-devkitc-1", "board-pi-pico-2", "board-franzininho-wifi", "board-xiao-esp32-c3"])
+def test_a_board_of_another_microcontroller_is_not_taken_for_one_that_is_known(kind: str, tmp_path: Path) -> None:
+    circuit, _ = read_circuit(diagram(tmp_path, [part("esp", kind), LED], [["esp:2", "led1:A", "", []]]))
+    assert circuit.components[0].boardName == ""
+
+
+@pytest.mark.parametrize(
     ("kind", "pin"), [("wokwi-breadboard-half", "31t.a"), ("wokwi-breadboard-mini", "tp.1"), ("wokwi-breadboard", "10t.f")]
 )
 def test_a_hole_that_a_breadboard_lacks_joins_nothing(kind: str, pin: str, tmp_path: Path) -> None:
@@ -226,7 +254,7 @@ def test_a_program_moves_to_one_board_only(boards: list[Any], words: str, tmp_pa
     assert refused.value.fix
 
 
-@pytest.mark.parametrize("kind", ["board-esp32-devkit-c-v4", "wokwi-esp32-devkit-v1", "board-xiao-esp32-c3"])
+@pytest.mark.parametrize("kind", ["board-esp32-s3-devkitc-1", "board-franzininho-wifi", "board-xiao-esp32-c3"])
 def test_a_board_of_another_family_is_read_and_no_program_is_moved_to_it(kind: str, tmp_path: Path) -> None:
     path = diagram(tmp_path, [part("board", kind), LED], [["board:D5", "led1:A", "", []], ["board:GND.1", "led1:C", "", []]])
     made = hardware(path)

@@ -20,7 +20,7 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import TooLargeError
 from robosmi.model.elements.ordering import post_order
 from robosmi.transformations.knowledge.lexer import KEYWORDS, Token, definition_parts, directive_parts, tokens as tokenise
 from robosmi.transformations.knowledge.replacements import Replacement
@@ -61,7 +61,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
         tokens: its tokens, comments and directives included.
 
     Raises:
-        SourceError: its macros expand to more than `MAX_EXPANDED` tokens.
+        TooLargeError: its macros expand to more than `MAX_EXPANDED` tokens.
     """
     weights = _macro_weights(tokens) if data.count(b"#") and b"define" in data else {}
     harmless = (
@@ -81,7 +81,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
     scan = _Scan(plain, weights)
     scan.run()
     if scan.total > MAX_EXPANDED:
-        raise SourceError(
+        raise TooLargeError(
             f"its macros expand to more than {MAX_EXPANDED:,} tokens",
             location=Location(path), fix="remove the macros that expand each other",
         )  # fmt: skip

@@ -18,7 +18,7 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, TooLargeError
 from robosmi.transformations.knowledge.lexer import Token, tokens
 
 _LINE_END = re.compile(rb"\n")
@@ -132,7 +132,7 @@ def read_source(path: str | os.PathLike[str], cplusplus: bool = False) -> ReadSo
     if not source.parsed.isascii():
         source.tokens = [_spelt(token, source) for token in source.tokens]
     if len(source.tokens) > MOST_TOKENS:
-        raise SourceError(f"the file has more than {MOST_TOKENS:,} tokens", location=place, fix=_SPLIT)
+        raise TooLargeError(f"the file has more than {MOST_TOKENS:,} tokens", location=place, fix=_SPLIT)
     return source
 
 

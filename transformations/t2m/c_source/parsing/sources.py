@@ -15,7 +15,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.base.data_text import json_of
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import SourceError, TooLargeError, UsageError
 from robosmi.transformations.knowledge.api_data import SketchSettings
 from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source.parsing.sketch import SketchFiles, is_tab, sketch_of
@@ -110,14 +110,15 @@ def _of_folder(folder: str) -> list[str]:
         folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in _BUILD_FOLDERS)
         files += [os.path.join(place, name) for name in sorted(names) if name.endswith(ENDINGS)]
         if len(files) > MOST_FILES:
-            raise SourceError(
+            raise TooLargeError(
                 f"this folder has more than {MOST_FILES} source files",
                 location=Location(folder), fix="give the folder of one program",
             )  # fmt: skip
     if not files:
         raise SourceError(
             "this is a folder without C sources",
-            location=Location(folder), fix=f"give a folder with sources ({', '.join(ENDINGS)}), or source files",
+            location=Location(folder),
+            fix=f"give a folder with sources ({', '.join(ENDINGS)}), source files, or the output folder of a migration",
         )  # fmt: skip
     return files
 

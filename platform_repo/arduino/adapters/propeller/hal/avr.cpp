@@ -22,7 +22,7 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 //# helper Io
 //#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
-//#   ram: 3
+//#   ram: 5
 static uint8_t latches[(NUM_DIGITAL_PINS + 7) / 8];
 static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
 

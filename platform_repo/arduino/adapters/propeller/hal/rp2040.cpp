@@ -738,18 +738,54 @@ inline const uint8_t *stack_pointer() {
   return now;
 }
 
+//# helper cogs_delayed
+//#   fidelity: bit n: cog n waits in delay()
+static uint8_t cogs_delayed = 0;
+
 //# helper cog_frame
+//#   needs: cogs_delayed
 //#   fidelity: the registers that a function must keep, and its return address
 const uint8_t cog_saved = 36;
 const uint16_t cog_room = 1024;  // what interrupts and calls take more of a stack than on an AVR, where they are measured
 
 inline uint8_t *cog_frame(uint8_t *top, void (*code)()) {  // what the stack pointer of a cog that begins is
+  cogs_delayed = 0;  // its number may be that of one that was ended while it waited
   uint32_t *frame = (uint32_t *)((uintptr_t)top & ~(uintptr_t)7);
   frame[-1] = (uint32_t)(uintptr_t)code;
   return (uint8_t *)(frame - 9);
 }
 
+//# helper cog_delay
+//#   include: <pico/time.h>
+//#   needs: cogs_delayed propeller.h/COG_SLOTS propeller.h/cog_table propeller.h/cogs_running
+//#   fidelity: the core's delay() sleeps, and so would all other cogs; it is weak there. Here the processor sleeps when all of them wait so
+inline void cog_sleep(uint32_t us) {
+  static uint32_t due[COG_SLOTS + 1];
+  uint8_t own = cog_table.now;
+  due[own] = micros() + us;
+  for (;;) {
+    int32_t least = due[own] - micros();
+    if (least <= 0) break;
+    cogs_delayed |= 1 << own;
+    yield();
+    if (~cogs_delayed & cogs_running) continue;
+    uint32_t now = micros();
+    for (uint8_t cog = 0; cog <= COG_SLOTS; cog++) {
+      int32_t left = due[cog] - now;
+      if (cogs_running >> cog & 1 && left < least) least = left;
+    }
+    if (least > 20) sleep_us(least - 10);
+  }
+  cogs_delayed &= ~(1 << own);
+}
+
+extern "C" inline __attribute__((used)) void delay(unsigned long ms) {
+  for (; ms > 1000; ms -= 1000) cog_sleep(1000000);
+  cog_sleep(ms * 1000);
+}
+
 //# helper cog_switch
+//#   needs: cog_delay
 extern "C" void cog_switch(uint8_t **save, uint8_t *load) __attribute__((naked, noinline, used, weak));
 void cog_switch(uint8_t **, uint8_t *) {
   asm volatile(

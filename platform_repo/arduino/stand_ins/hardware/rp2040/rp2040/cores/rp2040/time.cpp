@@ -74,10 +74,8 @@ void busy_wait_us_32(uint32_t us) {
   for (uint32_t begun = time_us_32(); time_us_32() - begun < us;) {}
 }
 
-void delay(unsigned long ms) {
-  sleep_us(1000ULL * ms);
-  yield();
-}
+// As in the core: a program may have its own, and this one does not call yield()
+__attribute__((weak)) void delay(unsigned long ms) { sleep_us(1000ULL * ms); }
 void delayMicroseconds(unsigned int us) {
   if (us > 20) {
     sleepUntil(micros() + us);

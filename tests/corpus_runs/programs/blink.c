@@ -1,0 +1,12 @@
+#include "simpletools.h"
+
+int main()
+{
+  while(1)
+  {
+    high(26);
+    pause(100);
+    low(26);
+    pause(100);
+  }
+}

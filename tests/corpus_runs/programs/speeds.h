@@ -1,0 +1,1 @@
+#define FORWARD 64

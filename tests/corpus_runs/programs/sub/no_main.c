@@ -1,0 +1,6 @@
+#include "simpletools.h"
+
+void blink(int pin)
+{
+  high(pin);
+}

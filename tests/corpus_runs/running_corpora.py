@@ -1,0 +1,58 @@
+"""Helpers of the tests of corpus runs: runs in processes of their own, and questions to their stores."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from robosmi.corpus.store import Store
+
+HERE = Path(__file__).parent
+PLUGIN = HERE / "faulty_plugin"
+
+
+def copied(folder: Path) -> Path:
+    """The corpus of the fixtures in a folder of its own; its specification."""
+    shutil.copytree(HERE / "programs", folder / "programs")
+    return Path(shutil.copy(HERE / "corpus.toml", folder))
+
+
+def faulty(folder: Path, *, limits: str = "seconds = 60", **programs: str) -> Path:
+    """A corpus for the plug-in: programs with the texts given; its specification."""
+    (folder / "programs").mkdir(parents=True)
+    for name, text in programs.items():
+        (folder / "programs" / f"{name}.c").write_text(text, encoding="utf-8")
+    spec = folder / "corpus.toml"
+    spec.write_text(f'[[programs]]\nglob = "programs/*.c"\n[limits]\n{limits}\n', encoding="utf-8")
+    return spec
+
+
+def command(*words: str | Path) -> list[str]:
+    """The command line of `robosmi corpus`."""
+    return [sys.executable, "-m", "robosmi", "corpus", *map(str, words)]
+
+
+def environment() -> dict[str, str]:
+    """The environment in which the plug-in is installed."""
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([str(PLUGIN), os.environ.get("PYTHONPATH", "")])}
+
+
+def run_faulty(*words: str | Path) -> tuple[int, Any]:
+    """Run the command with the plug-in installed: exit code and document."""
+    done = subprocess.run(command(*words, "--json"), capture_output=True, text=True, env=environment(), check=False)
+    assert "Traceback" not in done.stderr, done.stderr
+    return done.returncode, json.loads(done.stdout)
+
+
+def rows(out: Path, sql: str) -> list[tuple[Any, ...]]:
+    """The rows that answer a question."""
+    store = Store(out / "corpus.sqlite")
+    try:
+        return store.query(sql).rows
+    finally:
+        store.close()
