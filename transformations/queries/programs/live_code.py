@@ -45,16 +45,18 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
 def beginnings(units: Sequence[ccode.SourceUnit]) -> list[Element]:
     """The roots of reachability: every main, the variables that bodies of used macros name, and what C++ calls without a call.
 
-    A program without a main is a sketch: its core calls setup, loop and serialEvent (Arduino, "Sketch specification").
+    A program without a main is a sketch: its core calls setup, loop and serialEvent (Arduino, "Sketch specification"), and the
+    processor its interrupt functions.
     """
     words = in_macros(units)
     pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
-    pending += [] if pending else [d for unit in units for d in unit.declarations if _has_body(d) and d.name in _OF_SKETCHES]
+    of_core = (d for unit in units for d in unit.declarations if _has_body(d) and _OF_SKETCHES.fullmatch(str(d.name)))
+    pending += [] if pending else list(of_core)
     pending += [d for unit in units for d in unit.declarations if isinstance(d, ccode.Variable) and d.name in words]
     return pending + [function for unit in units for function in all_of_kind(unit, ccode.Function) if _is_called_unseen(function)]
 
 
-_OF_SKETCHES = frozenset(["setup", "loop", "serialEvent"])
+_OF_SKETCHES = re.compile(r"setup|loop|serialEvent|\w+_vect")
 _UNSEEN = re.compile(r"(?:^|[\s:*&])(?:(\w+)::(?:~?\1\b)|operator\b|~)")
 """Matches the signatures of constructors and destructors that are defined outside of their class, and of operators."""
 
