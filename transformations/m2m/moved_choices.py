@@ -100,7 +100,7 @@ def same_parts(former: migration.MigrationPlan, components: Sequence[hardware.Co
     """
     old = [c for c in former.circuit.components if c is not former.boardComponent] if former.circuit is not None else []
     found: dict[str, hardware.Component] = {}
-    for names in (lambda c: {str(c.title), former_title(c)}, lambda c: {str(c.partTitle).lower(), str(c.partId).lower()} - {""}):
+    for names in (_titles, _part_names):
         taken = {id(part) for part in found.values()}
         here = [c for c in old if str(c.elementId) not in found]
         there = [c for c in components if id(c) not in taken]
@@ -109,6 +109,14 @@ def same_parts(former: migration.MigrationPlan, components: Sequence[hardware.Co
             if len(alike) == 1 and sum(bool(names(c) & names(alike[0])) for c in here) == 1:
                 found[str(part.elementId)] = alike[0]
     return found
+
+
+def _titles(component: hardware.Component) -> set[str]:
+    return {str(component.title), former_title(component)}
+
+
+def _part_names(component: hardware.Component) -> set[str]:
+    return {str(component.partTitle).lower(), str(component.partId).lower()} - {""}
 
 
 def _pin_of(binding: migration.PortBinding, parts: Mapping[str, hardware.Component], new: NewHardware) -> tuple[str, str]:

@@ -15,14 +15,14 @@ from robosmi.errors import SourceError, UsageError
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.cli.options import Options
+    from robosmi.cli.options import ActionOptions
     from robosmi.corpus.running import RunProgress
 
 _LOG_S = 60.0
 """Seconds between two lines in a log."""
 
 
-def configure(parser: Options) -> None:
+def configure(parser: ActionOptions) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     run = actions.add_parser("run", help="run the programs of a specification that are new or changed")
