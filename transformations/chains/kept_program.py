@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -15,13 +16,11 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
-from robosmi.transformations.m2m.sketches.kept_platform import keep_platform
 from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard
-from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
-from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
-from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
-from robosmi.transformations.queries.portability.places import portability
-from robosmi.transformations.queries.portability.unknown_arguments import unknown_arguments
+
+if TYPE_CHECKING:
+    from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
+    from robosmi.transformations.queries.portability.board_move import BoardMove
 
 
 class KeptProgram(Struct, frozen=True):
@@ -60,6 +59,13 @@ def kept_program(
     facts = portability_facts(api.name)
     if target.platform != api.name or source_board is None or facts is None:
         return None
+    # a program that changes its platform needs none of these
+    from robosmi.transformations.m2m.sketches.kept_platform import keep_platform
+    from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
+    from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
+    from robosmi.transformations.queries.portability.places import portability
+    from robosmi.transformations.queries.portability.unknown_arguments import unknown_arguments
+
     move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
     places = [*portability(program.views, facts, move, program.copies), *unknown_arguments(program.views, move)]
     own, trace = source_board.facts.model.platform, Trace()

@@ -65,7 +65,6 @@ from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, j
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
 from robosmi.transformations.m2m.ports.port_texts import looked_up
-from robosmi.transformations.m2m.sketches.kept_platform import place_findings
 from robosmi.transformations.m2m.widths.widths import Widened, lost_findings, text_findings
 from robosmi.transformations.queries.library_pins import LibraryPins
 from robosmi.transformations.queries.plans.plan import binding_json, library_json
@@ -338,6 +337,8 @@ def models(
     said_pins = pins_of_project(settings, target).pins
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": said_pins, "libraries": settings.libraries}
     if kept is not None:
+        from robosmi.transformations.m2m.sketches.kept_platform import place_findings  # loaded for such programs already
+
         plan.findings.extend(plan_findings(plan, place_findings(kept.left, plan, files), places))
         settle_tasks(plan)
     plan.findings.extend(move_findings(plan, program.views))

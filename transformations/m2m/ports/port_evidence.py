@@ -131,9 +131,9 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
         reasons.append(f"both names contain '{', '.join(sorted(shared))}'")
     elif by_name:
         reasons.append(f"its name suggests: {', '.join(sorted(by_name))}")
-    points = (
-        (2.0 if seat.role in kinds_of_part(connection) else 1.5) * by_role + len(shared) + (len(by_name) if not shared else 0)
-    )
+    points = float(len(shared) or len(by_name))
+    if by_role:
+        points += 2 if seat.role in kinds_of_part(connection) else 1.5
     if points or _goes_together(seat, connection, known):
         for purpose in sorted(purposes & wanted)[:1]:
             reasons.append(f"its connector has the same purpose: {purpose}")
@@ -152,6 +152,8 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
 
 def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, list[str]]:
     """How much the remarks of a port speak for a connection (below 0: against it), and the reasons."""
+    if not seat.remarks:
+        return 0.0, []
     known = known_roles()
     theirs, kinds = significant_words(component_texts(connection)), kinds_of(connection)
     points, reasons = 0.0, []
@@ -178,11 +180,10 @@ def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int]) -> frozenset[st
         tones: function that makes a tone -> the place of its frequency among its arguments.
     """
     numbers = {number for use in uses if use.function in tones for number in _frequencies(use.call, tones[use.function])}
-    known = known_roles()
     if numbers and all(number in AUDIBLE_HZ for number in numbers):
-        return known.audible
+        return known_roles().audible
     if numbers and all(number is not None and number >= AUDIBLE_HZ.stop for number in numbers):
-        return known.inaudible
+        return known_roles().inaudible
     return frozenset()
 
 
@@ -209,9 +210,10 @@ def _remarks(use: PinUse) -> Iterator[Remark]:
     for comment in beside or above:
         if words := significant_words([comment.text]):
             yield Remark(f"the comment in line {comment.line}", frozenset(words))
-    sides = frozenset().union(*known_roles().apart)
-    if use.direction == "out" and (following := _read_next(use.call)) and (words := significant_words([following]) & sides):
-        yield Remark(f"'{following}', which is read next,", frozenset(words))
+    if use.direction == "out" and (following := _read_next(use.call)):
+        sides = frozenset().union(*known_roles().apart)
+        if words := significant_words([following]) & sides:
+            yield Remark(f"'{following}', which is read next,", frozenset(words))
 
 
 def _read_next(call: ccode.Expression) -> str:
