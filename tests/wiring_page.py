@@ -18,6 +18,7 @@ from robosmi.transformations.constraints import (
     electrical_supply,
 )
 from robosmi.transformations.constraints.electrical_plan import is_drawn, of_plan, place, wired
+from robosmi.transformations.constraints.electrical_signals import lacking
 from robosmi.transformations.constraints.electrical_supply import takes_part, wiring_of
 from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts
@@ -85,7 +86,7 @@ def _methods() -> list[Callable[..., object]]:
 
 _TABLES: dict[str, Callable[[], list[str]]] = {
     "modules": _modules,
-    "functions": lambda: _functions([wiring_of, who, listed, displayed_name, stated_volts, takes_part, drawing, fault]),
+    "functions": lambda: _functions([wiring_of, who, listed, displayed_name, stated_volts, takes_part, drawing, fault, lacking]),
     "plan": lambda: _functions([is_drawn, of_plan, wired, place]),
     "wiring": lambda: _functions(_methods(), "w."),
     "board_pin": lambda: _fields(BoardPin),

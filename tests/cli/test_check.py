@@ -31,8 +31,9 @@ def sketch(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-def test_a_plan_is_checked_with_its_models(sketch: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, document = run("check", sketch / "models" / "plan.xmi", capsys=capsys)
+@pytest.mark.parametrize("place", ["models/plan.xmi", "."])
+def test_a_plan_is_checked_with_its_models(place: str, sketch: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, document = run("check", sketch / place, capsys=capsys)
     assert code == 0
     assert document["ok"] is True
     assert [m["model"] for m in document["result"]["models"]] == ["plan", "code", "hardware", "platform"]

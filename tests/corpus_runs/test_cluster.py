@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -53,22 +53,18 @@ def address(process: subprocess.Popen[str], pattern: str) -> str:
 def cluster(folder: Path, workers: int = 2, **variables: str) -> Iterator[tuple[str, list[Process], Process]]:
     """The address of a scheduler, its workers, and its process."""
     flags = ["--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--no-jupyter"]
-    with started("distributed.cli.dask_scheduler", *flags) as scheduler:
+    with ExitStack() as stack:
+        scheduler = stack.enter_context(started("distributed.cli.dask_scheduler", *flags))
         place = address(scheduler, r"Scheduler at:\s+(tcp://\S+)")
-        processes = [
-            started(
+        opened = [
+            stack.enter_context(started(
                 "distributed.cli.dask_worker", place, "--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory",
                 str(folder / f"worker{number}"), **variables,
-            ) for number in range(workers)
+            )) for number in range(workers)
         ]  # fmt: skip
-        opened = [each.__enter__() for each in processes]
-        try:
-            for each in opened:
-                address(each, r"Registered to")
-            yield place, opened, scheduler
-        finally:
-            for each in processes:
-                each.__exit__(None, None, None)
+        for each in opened:
+            address(each, r"Registered to")
+        yield place, opened, scheduler
 
 
 def finished(begun: subprocess.Popen[str]) -> tuple[int, Any]:

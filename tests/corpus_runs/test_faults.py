@@ -128,7 +128,8 @@ def test_a_store_of_another_version_or_of_something_else(tmp_path: Path) -> None
     with sqlite3.connect(out / "corpus.sqlite") as db:
         db.execute("UPDATE corpus SET value = '99' WHERE key = 'schema'")
     db.close()
-    for words in (["run", spec, "-o", out], ["query", out, "SELECT 1"], ["report", out, "-o", tmp_path / "page"]):
+    page: list[str | Path] = ["report", out, "-o", tmp_path / "page"]
+    for words in (["run", spec, "-o", out], ["query", out, "SELECT 1"], page):
         refused = run("corpus", *words, "--json")
         assert refused.code == 3
         assert "version 99" in refused.document["findings"][0]["message"]

@@ -25,6 +25,7 @@ from robosmi.query import root_of
 from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.stages.constraint_sets import KIND, constraints_of
+from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.readers import is_drawing
 from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
@@ -59,15 +60,18 @@ def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
     """Check a model.
 
     Args:
-        path: a drawing, a stored plan, or a model file of any technology.
+        path: a drawing, a stored plan, the output folder of a migration for its plan, or a model file of any technology.
         metamodels: the `.ecore` files of an XMI file whose metamodels are not known.
 
     Raises:
         SourceError: it cannot be read.
         ModelError: it contradicts its metamodel.
     """
-    with project_of_input(path):
-        return _checked(Path(path), metamodels)
+    file = Path(path)
+    if (plan := file / STORED).is_file():
+        file = plan
+    with project_of_input(file):
+        return _checked(file, metamodels)
 
 
 def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:

@@ -47,7 +47,7 @@ class DeviceFacts(Struct, frozen=True):
         limits_current: whether the current through its outputs is limited, or its outputs are contacts.
         analog: connectors with a voltage to be measured, `*` for all.
         wants: abilities of a pin that it benefits from.
-        output: push-pull if its output cannot share a wire.
+        output: push-pull if its output cannot share a wire, contact if it only opens and closes a circuit (a switch); else empty.
         i2c: its possible I2C addresses, the default first.
         pull_ups: whether it has pull-up resistors for the bus, None if unknown.
         isolated: whether it needs no common ground.
