@@ -1,4 +1,5 @@
-"""A filter of system calls (seccomp) of the Linux kernel: this process, and all that it starts, opens no socket from now on.
+"""A filter of system calls (seccomp) of the Linux kernel: this process, and all that it starts, opens no socket from now on, and
+leaves no key in the kernel's keyrings.
 
 Landlock does not know sockets in the file system, such as those of containers' and sessions' services, UDP, and what System V
 shares between processes. `io_uring` can make sockets, too.
@@ -19,13 +20,14 @@ _X86_64, _I386, _AARCH64 = 0xC000003E, 0x40000003, 0xC00000B7
 _URING = 425
 _X32 = 1 << 30
 """Added to a call's number where a program of x86-64 has pointers of 32 bits."""
-_LONG = (41, 29, 64, 68, _URING)
+_LONG = (41, 29, 64, 68, 248, 249, 250, _URING)
 _DENIED = {
     _X86_64: (*_LONG, *(call | _X32 for call in _LONG)),
-    _I386: (102, 359, 117, 393, 395, 399, _URING),
-    _AARCH64: (198, 194, 190, 186, _URING),
+    _I386: (102, 359, 117, 393, 395, 399, 286, 287, 288, _URING),
+    _AARCH64: (198, 194, 190, 186, 217, 218, 219, _URING),
 }
-"""Architecture -> its calls socket, shmget, semget, msgget, io_uring_setup; on i386 also socketcall and ipc, which are many."""
+"""Architecture -> its calls socket, shmget, semget, msgget, add_key, request_key, keyctl, io_uring_setup; on i386 also
+socketcall and ipc, which are many."""
 _NATIVE = ("x86_64", "aarch64")
 _NO_NEW_PRIVILEGES, _SET_SECCOMP, _FILTER = 38, 22, 2
 _LOAD, _EQUAL, _RETURN = 0x20, 0x15, 0x06
@@ -39,7 +41,7 @@ def is_known() -> bool:
 
 
 def deny_sockets() -> None:
-    """Let each attempt to make a socket, or what System V shares, fail with EACCES.
+    """Let each attempt to make a socket, what System V shares, or a key fail with EACCES.
 
     Raises:
         MissingToolError: the kernel refuses the filter.

@@ -10,11 +10,12 @@ BREAKS = r"\n\r\v\f\x1c-\x1e\x85\u2028\u2029"
 
 _BREAK = re.compile(rf"[{BREAKS}]+")
 _UNSEEN = re.compile(
-    "[\x00-\x08\x0a-\x1f\x7f-\x9f\u061c\u180e\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
-    "\ud800-\udfff\U000e0000-\U000e007f]"
+    "[\x00-\x08\x0a-\x1f\x7f-\x9f\u034f\u061c\u115f\u1160\u17b4\u17b5\u180e\u200b"
+    "\u200e\u200f\u2028-\u202e\u2060-\u206f\u3164\ufeff\uffa0\ufff9-\ufffb\ud800-\udfff\U000e0000-\U000e007f]"
 )
 """Control characters but the tab, marks that turn the direction of text, what has no width, and halves of characters. Those that
-join letters of a script or an emoji (U+200C, U+200D) are text."""
+join letters of a script or an emoji (U+200C, U+200D) are text, and so are those that belong to the letter before them, as accents
+and variation selectors do."""
 
 
 class Quoted(str):

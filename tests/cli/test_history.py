@@ -52,6 +52,16 @@ def test_exported_forgotten_and_imported_again(remembered: History, form: str, t
     assert run("history", "import", file, "--json").result["added"] == 0
 
 
+@pytest.mark.parametrize("form", ["xmi", "csv", "json"])
+def test_an_export_replaces_no_link(remembered: History, form: str, tmp_path: Path) -> None:
+    (tmp_path / "other").write_text("mine")
+    file = tmp_path / f"choices.{form}"
+    file.symlink_to(tmp_path / "other")
+    assert run("history", "export", file).code == 5
+    assert file.is_symlink()
+    assert (tmp_path / "other").read_text() == "mine"
+
+
 def test_forget_what_is_named(remembered: History) -> None:
     assert run("history", "forget").code == 2
     assert run("history", "forget", "--part", "Basic Servo", "--library", "Servo", "--json").result["forgotten"] == 1

@@ -429,11 +429,18 @@ print(done.stdout)
 
 
 CONFINED = """
-import os, socket, sys
+import ctypes, os, socket, sys
 from robosmi.cli import landlock, seccomp
 landlock.restrict([])
 seccomp.deny_sockets()
 acts = {kind.name: lambda kind=kind: socket.socket(kind, socket.SOCK_DGRAM) for kind in socket.AddressFamily if kind}
+keys = ctypes.CDLL(None, use_errno=True)
+
+def add_key():
+    if keys.syscall({"x86_64": 248, "aarch64": 217}[os.uname().machine], b"user", b"robosmi", b"x", 1, -3) < 0:
+        raise OSError(ctypes.get_errno(), "add_key")
+
+acts["key"] = add_key
 acts["signal"] = lambda: os.kill(os.getppid(), 0)
 for name, act in acts.items():
     try:
@@ -451,7 +458,7 @@ def test_a_confined_process_makes_no_socket_and_signals_nobody() -> None:
     root = Path(__file__).parents[2]
     done = subprocess.run([sys.executable, "-c", CONFINED], capture_output=True, text=True, cwd=root, check=False)
     said = done.stdout.splitlines()
-    assert {"refused AF_UNIX", "refused AF_INET", "refused AF_NETLINK"} <= {*said}, done.stderr
+    assert {"refused AF_UNIX", "refused AF_INET", "refused AF_NETLINK", "refused key"} <= {*said}, done.stderr
     assert [each for each in said if each.startswith("done")] == ([] if landlock.version() >= 6 else ["done signal"])
 
 

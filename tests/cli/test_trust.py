@@ -146,7 +146,9 @@ def test_a_command_that_needs_found_templates_exits_with_3(project: Path, exampl
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("words", [["compile", "out"], ["compile", "out", "--json"], ["doctor"], ["doctor", "--json"]])
+@pytest.mark.parametrize(
+    "words", [["compile", "out"], ["compile", "out", "--json"], ["doctor"], ["doctor", "--json"], ["targets"]]
+)
 def test_found_data_starts_no_program(
     words: list[str], programs: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

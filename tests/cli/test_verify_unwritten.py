@@ -141,3 +141,14 @@ def test_a_file_where_the_folder_of_scenarios_should_be(tmp_path: Path) -> None:
     assert [finding.message for finding in files.lost] == ["the scenarios cannot be stored: File exists"]
     assert files.written == [(tmp_path / "x.vcd", "vcd")]
     assert place.read_text() == "mine"
+
+
+def test_a_link_in_the_place_of_a_file_stays(tmp_path: Path) -> None:
+    (tmp_path / "other").write_text("mine")
+    (tmp_path / "x.vcd").symlink_to(tmp_path / "other")
+    files = VerifiedFiles()
+    files.write_vcd(tmp_path / "x.vcd", "rest", NOTHING, NOTHING)
+    assert files.written == []
+    assert [finding.location and finding.location.path for finding in files.lost] == [str(tmp_path / "x.vcd")]
+    assert (tmp_path / "x.vcd").is_symlink()
+    assert (tmp_path / "other").read_text() == "mine"

@@ -11,6 +11,7 @@ import pytest
 
 from robosmi.errors import MissingToolError, SourceError, UsageError
 from robosmi.verify.toolchains.compile_report import RULES, CompileReport
+from robosmi.verify.toolchains.libraries import read_files
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
@@ -308,6 +309,23 @@ def test_the_json_form_is_the_contract_s() -> None:
     wanted = {"ok", "fits", "fits_on", "tool", "flash_bytes", "ram_bytes", "libraries", "diagnostics"}
     assert wanted <= set(report.to_json())
     assert all(meaning for meaning in RULES.values())
+
+
+@pytest.mark.parametrize(
+    ("rule", "names"),
+    [
+        (r"x.o: a.h b.h", ["a.h", "b.h"]),
+        ("x.o: a.h \\\n ../b.h\n", ["a.h", "../b.h"]),
+        (r"x.o: a\ b.h c.h", ["a b.h", "c.h"]),
+        ("x.o: a\\\tb.h c.h", ["a\tb.h", "c.h"]),
+        (r"x.o: a\\\ b.h", [r"a\ b.h"]),
+        (r"x.o: a\\ b.h", ["a\\", "b.h"]),
+        (r"x.o: a\b.h", [r"a\b.h"]),
+        (r"x.o: a\#b.h $$c.h", ["a#b.h", "$c.h"]),
+    ],
+)
+def test_files_of_a_make_rule_have_their_own_names(rule: str, names: list[str]) -> None:
+    assert read_files(rule) == names
 
 
 @needs_tools

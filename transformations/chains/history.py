@@ -16,7 +16,7 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
-from robosmi.files.files import write_atomic
+from robosmi.files.files import refuse_link, write_atomic
 from robosmi.metamodels import migration
 from robosmi.model import load_model, save_model
 from robosmi.recommend.history import History, HistoryEntry
@@ -31,8 +31,10 @@ def export_history(history: History, path: Path) -> list[HistoryEntry]:
     Raises:
         UsageError: the file's ending is no form.
         SourceError: the history cannot be read, or the file not be written.
+        StoppedError: the file is a link.
     """
     form, entries = _form(path), history.entries()
+    refuse_link(path)
     if form == ".xmi":
         save_model(history_to_model(entries), path)
     else:

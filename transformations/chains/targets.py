@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from robosmi.base.data_text import Json
+from robosmi.base.trust import acting
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
 from robosmi.transformations.knowledge.board_models import not_simulated
@@ -92,7 +93,13 @@ def targets(project: Path | None = None) -> TargetTable:
 
     Raises:
         PlatformDataError: the repository's data is damaged.
+        SourceError: found data that names programs is not trusted.
     """
+    with acting(project):  # tools are asked for their versions
+        return _table(project)
+
+
+def _table(project: Path | None) -> TargetTable:
     toolchains = {toolchain.name: toolchain for toolchain in load_toolchains(project)}
     tools = {name: _tools(toolchain) for name, toolchain in toolchains.items()}
     engines: list[Engine] = [content("engine", name)() for name in engine_names()]

@@ -100,6 +100,8 @@ def compile_into(
             contents[report.hex.name] = program
             report = replace(report, hex=folder / report.hex.name)
     _refuse_others(folder, sketch, contents)
+    if into is None:
+        check_inside(folder)  # it may have become a link meanwhile
     update(folder, contents)
     return replace(report, database=folder / DATABASE)
 

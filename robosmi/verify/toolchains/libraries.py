@@ -166,10 +166,20 @@ def read_files(rule: str) -> list[str]:
     """The files that a make rule names behind its target.
 
     Args:
-        rule: `x.o: a.h b.h`, as a preprocessor prints the files it read; blanks in names are escaped.
+        rule: `x.o: a.h b.h`, as a preprocessor prints the files it read. A blank behind 2N + 1 backslashes is N backslashes and
+            that blank of a name, one behind 2N backslashes ends a name with N backslashes (GNU make).
     """
-    names = re.split(r"(?<!\\)\s+", rule.replace("\\\n", " ").partition(": ")[2].strip())
-    return [name.replace("\\ ", " ").replace("$$", "$").replace("\\#", "#") for name in names if name]
+    text = rule.replace("\\\n", " ").partition(": ")[2] + " "
+    names, name, done = [], "", 0
+    for ending in re.finditer(r"(?<!\\)(\\*)(\s)", text):
+        name += text[done : ending.start()] + "\\" * (len(ending[1]) // 2)
+        done = ending.end()
+        if len(ending[1]) % 2:
+            name += ending[2]
+        else:
+            names.append(name)
+            name = ""
+    return [name.replace("$$", "$").replace("\\#", "#") for name in names if name]
 
 
 def missing_headers(rule: str, cwd: Path) -> list[str]:

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
-from robosmi.files.files import write_atomic
+from robosmi.files.files import refuse_link, write_atomic
 from robosmi.files.run_lock import alone
 from robosmi.transformations.verification.judgement.scenario_verdicts import ComparedScenario
 from robosmi.transformations.verification.judgement.stored_verdict import StoredVerdict
@@ -73,7 +73,7 @@ class VerifiedFiles:
 
     def store_verdict(self, path: Path, record: StoredVerdict) -> None:
         """Write the record of the verdict beside the models."""
-        self._attempt("the verdict cannot be stored", path, _MAKE_ROOM, lambda: write_atomic(path, record.to_bytes()))
+        self._attempt("the verdict cannot be stored", path, _MAKE_ROOM, lambda: self._replace(path, record.to_bytes()))
 
     def write_picture(self, path: Path, shown: ComparedScenario) -> None:
         """Draw both sides of a scenario into a picture beside the models."""
@@ -97,8 +97,12 @@ class VerifiedFiles:
         self._attempt("the trace cannot be written", path, "give another file", lambda: self._write(path, text, "vcd"))
 
     def _write(self, path: Path, text: str, kind: str) -> None:
-        write_atomic(path, text.encode())
+        self._replace(path, text.encode())
         self.written.append((path, kind))
+
+    def _replace(self, path: Path, data: bytes) -> None:
+        refuse_link(path)
+        write_atomic(path, data)
 
     def _attempt(self, what: str, path: Path, fix: str, write: Callable[[], None]) -> None:
         try:
