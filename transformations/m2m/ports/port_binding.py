@@ -432,7 +432,7 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
     fits = [(found, connection) for connection in free if (found := fit(seat, connection)) is not None]
     fits = [pair for pair in fits if pair[0].points > 0] or fits
     options = []
-    if seat.own and not any(found.points > 0 for found, _ in fits):
+    if seat.own and fits and not any(found.points > 0 for found, _ in fits):
         unwired = migration.Option(label=NOT_WIRED, score=0.3, reasons=[f"not connected: {seat.own}"])
         options.append(((0.0, False, 0.0, False), unwired))
     for found, connection in fits:
