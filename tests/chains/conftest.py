@@ -39,6 +39,13 @@ def migrated(line_follower: Path, tmp_path: Path, examples: Path, copies: Copies
 
 
 @pytest.fixture
+def own_output(line_follower: Path, tmp_path: Path) -> Path:
+    """As `migrated`, by a run of this test's user."""
+    robosmi.migrate([line_follower], tmp_path / "out")
+    return tmp_path / "out"
+
+
+@pytest.fixture
 def robot(tmp_path: Path) -> Path:
     """A folder with a program of one port, its project file, and its migration in `out`, whose sources `choose` finds again."""
     folder = tmp_path / "robot"

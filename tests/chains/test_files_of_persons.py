@@ -242,20 +242,20 @@ def test_comments_in_the_plan_are_told_of_and_the_old_file_is_kept(migrated: Pat
     assert not (migrated / "models" / "plan.xmi.orig.2").exists()
 
 
-def test_a_sketch_of_another_name_leaves_the_edited_one_and_says_so(migrated: Path, line_follower: Path) -> None:
-    sketch = migrated / SKETCH
+def test_a_sketch_of_another_name_leaves_the_edited_one_and_says_so(own_output: Path, line_follower: Path) -> None:
+    sketch = own_output / SKETCH
     sketch.write_text(sketch.read_text() + "// mine\n")
     kept = sketch.read_bytes()
     other = line_follower.rename(line_follower.with_name("follower.c"))
-    outcome = again(other, migrated)
+    outcome = again(other, own_output)
     assert outcome.code == 0
     assert [f["location"]["path"] for f in outcome.document["findings"] if f["rule"] == "RS514"] == [str(sketch)]
     assert sketch.read_bytes() == kept
-    assert (migrated / "follower" / "follower.ino").is_file()
-    assert not (migrated / ADAPTERS).exists()
-    assert [f["rule"] for f in again(other, migrated).document["findings"]].count("RS514") == 1
+    assert (own_output / "follower" / "follower.ino").is_file()
+    assert not (own_output / ADAPTERS).exists()
+    assert [f["rule"] for f in again(other, own_output).document["findings"]].count("RS514") == 1
     back = other.rename(line_follower)
-    assert again(back, migrated).code == 0
+    assert again(back, own_output).code == 0
     assert sketch.read_bytes() == kept, "the edit is merged again when the file is made again"
 
 
@@ -271,16 +271,16 @@ def test_a_program_whose_sketch_has_the_name_of_another_program_s_is_said(tmp_pa
     assert not [f for f in again(second, folder).document["findings"] if f["rule"] == "RS526"]
 
 
-def test_a_sketch_that_gives_way_to_another_program_s_is_said(migrated: Path, line_follower: Path) -> None:
+def test_a_sketch_that_gives_way_to_another_program_s_is_said(own_output: Path, line_follower: Path) -> None:
     other = line_follower.with_name("other.c")
     other.write_text(line_follower.read_text())
-    outcome = again(other, migrated)
+    outcome = again(other, own_output)
     said = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS526"]
     assert [finding["message"] for finding in said] == [
         "the sketch 'line_follower' of an earlier run is removed: this run generates 'other' here"
     ]
-    assert not (migrated / SKETCH).exists()
-    assert not [f for f in again(other, migrated).document["findings"] if f["rule"] == "RS526"]
+    assert not (own_output / SKETCH).exists()
+    assert not [f for f in again(other, own_output).document["findings"] if f["rule"] == "RS526"]
 
 
 def test_deleted_files_are_made_again_and_said(migrated: Path, line_follower: Path) -> None:

@@ -45,11 +45,11 @@ def test_a_forged_manifest_removes_nothing(line_follower: Path) -> None:
         assert run("migrate", line_follower, "-o", folder, "--json").code in (0, 1)
 
 
-def test_a_folder_that_was_copied_goes_on_and_removes_nothing_at_first(migrated: Path, line_follower: Path) -> None:
-    copy = Path(shutil.copytree(migrated, migrated.with_name("copy")))
+def test_a_folder_that_was_copied_goes_on_and_removes_nothing_at_first(own_output: Path, line_follower: Path) -> None:
+    copy = Path(shutil.copytree(own_output, own_output.with_name("copy")))
     other = line_follower.rename(line_follower.with_name("follower.c"))
-    robosmi.migrate([other], migrated)
-    assert not (migrated / "line_follower").exists(), "one's own record, where it was made"
+    robosmi.migrate([other], own_output)
+    assert not (own_output / "line_follower").exists(), "one's own record, where it was made"
     made = robosmi.migrate([other], copy)
     told = {f.location.path for f in made.findings if f.rule == "RS525" and f.location}
     assert str(copy / "line_follower" / "line_follower.ino") in told
