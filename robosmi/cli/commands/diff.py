@@ -1,0 +1,43 @@
+"""`robosmi diff A B`: what is different about two models."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from robosmi.report import Report
+
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
+
+
+def configure(parser: Options) -> None:
+    """Add the command's options."""
+    parser.add_argument("before", metavar="A", type=Path, help="a model in XMI, JSON (.json) or .ecore")
+    parser.add_argument("after", metavar="B", type=Path, help="another model of the same metamodel")
+    parser.add_argument(
+        "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
+        help="metamodel of both models; repeatable",
+    )  # fmt: skip
+
+
+class _Arguments(argparse.Namespace):
+    """The options and arguments of the command."""
+
+    before: Path
+    after: Path
+    metamodels: list[Path]
+
+
+def run(arguments: _Arguments) -> Report:
+    """Run the command."""
+    from robosmi.api import compare
+
+    report = Report("diff")
+    found = compare(arguments.before, arguments.after, metamodel=arguments.metamodels)
+    report.findings = found.findings
+    report.result = {"equal": found.equal, "changes": [change.to_json() for change in found.changes]}
+    report.lines = found.lines() or ["no difference"]
+    report.failure_code, report.ok = 1, found.equal
+    return report
