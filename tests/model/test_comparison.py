@@ -46,6 +46,7 @@ def rename(b: Any) -> None:
 
 def change_values(b: Any) -> None:
     book(b, "Propellers").year = 2020
+    book(b, "Propellers").price = 13.5
     book(b, "Propellers").tags.append("new")
 
 
@@ -79,7 +80,7 @@ def reorder(b: Any) -> None:
 
 CASES: list[tuple[Callable[[Any], None], list[tuple[str, str, str | None]]]] = [
     (rename, [("changed", "Book Propellers", "name")]),
-    (change_values, [("changed", "Book Propellers", "year"), ("changed", "Book Propellers", "tags")]),
+    (change_values, [("changed", "Book Propellers", feature) for feature in ("year", "price", "tags")]),
     (turn_reference, [("changed", "Book Boards", "authors")]),
     (move_away, [("moved", "Book Propellers", "items")]),
     (move_and_change, [("moved", "Book Propellers", "items"), ("changed", "Book Propellers", "year")]),
@@ -104,13 +105,13 @@ def test_records_say_where_and_what() -> None:
     a, b = two()
     change_values(b)
     move_away(b)
-    moved, year, tags = (change.to_json() for change in ModelComparison(a, b).changes)
+    moved, year, price, tags = (change.to_json() for change in ModelComparison(a, b).changes)
     assert moved == {
         "kind": "moved", "element": "//@sections.0/@sections.0/@items.0", "type": "Book", "feature": "items",
         "before": "//@sections.0/@sections.0 items[0]", "after": "//@sections.0/@sections.0/@sections.0 items[0]",
         "name": "Book Propellers",
     }  # fmt: skip
-    assert (year["before"], year["after"]) == (2016, 2020)
+    assert (year["before"], year["after"], price["before"], price["after"]) == (2016, 2020, 12.5, 13.5)
     assert (tags["before"], tags["after"]) == (["cogs", "spin"], ["cogs", "spin", "new"])
 
 

@@ -18,7 +18,7 @@ from robosmi.base.data_text import Json, json_written
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
-from robosmi.model.comparison.facts import Facts, is_compared, plain
+from robosmi.model.comparison.facts import Facts, compared, is_compared, plain
 from robosmi.model.comparison.matching import Matching
 from robosmi.model.elements.driver import Model, label
 from robosmi.model.elements.ecore import EObject
@@ -183,8 +183,8 @@ class ModelComparison:
                     [self._after.target(each) for each in others],
                 )
             else:
-                before, after = ([plain(c, each) for each in found] for c, found in ((column, ones), (counterpart, others)))
-                shown = before, after
+                before, after = [compared(column, each) for each in ones], [compared(counterpart, each) for each in others]
+                shown = [plain(column, each) for each in ones], [plain(counterpart, each) for each in others]
             if not column.feature.ordered:
                 before, after = (sorted(known, key=repr) for known in (before, after))
             if before == after:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePath
@@ -128,7 +129,7 @@ class Facts:
                 elif column.kind == LINKS:
                     found.append((column.name, self.type_of(value), str(feature_value(value, NAME)) if _is_named(value) else ""))
                 elif column.kind != VALUE or value != column.default:
-                    found.append((column.name, str(plain(column, value))))
+                    found.append((column.name, str(compared(column, value))))
         return found
 
     def holder(self, element: EObject) -> tuple[EObject | None, str]:
@@ -182,6 +183,11 @@ class Facts:
 
 def plain(column: Column, value: Any) -> Json:
     """A value as JSON has it; of a type that JSON lacks the text of a file."""
+    return value if isinstance(value, float) and math.isfinite(value) else compared(column, value)
+
+
+def compared(column: Column, value: Any) -> Json:
+    """What is equal for equal values: as JSON has it, but for numbers with a fraction the text of a file (0.0 is not -0.0)."""
     if value is None or isinstance(value, (bool, int, str)):
         return value
     if column.kind == DETAILS:
