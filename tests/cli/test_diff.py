@@ -54,3 +54,18 @@ def test_models_that_cannot_be_compared_are_an_error(tmp_path: Path) -> None:
         (finding,) = done.document["findings"]
         assert finding["fix"]
         assert finding["location"]
+
+
+def test_the_page_has_a_row_for_each_difference_and_its_texts_stay_texts(edited: Path, tmp_path: Path) -> None:
+    edited.write_text(edited.read_text().replace('name="n2"', 'name="&lt;script&gt;"'))
+    page = tmp_path / "diff.html"
+    done = run("diff", SPLIT / "ok.xmi", edited, "--metamodel", SPLIT / "g.ecore", "-o", page, "--json")
+    assert (done.code, done.document["artifacts"]) == (1, [{"path": str(page), "kind": "page"}])
+    text = page.read_text()
+    assert text.count("<tr data-kind=") == len(done.result["changes"]) == 2
+    assert "<script>" not in text
+    assert "<td>&lt;script&gt;</td>" in text
+    page.write_text("mine")
+    done = run("diff", SPLIT / "ok.xmi", edited, "--metamodel", SPLIT / "g.ecore", "-o", page, "--json")
+    assert done.code not in (0, 1)
+    assert page.read_text() == "mine"
