@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from robosmi import corpus as corpus
     from robosmi.api import (
         check_model,
+        compare,
         compile_sketch,
         generate_sketch,
         load_code,
@@ -34,6 +35,7 @@ if not (_here / "transformations").is_dir() and (_here.parent / "transformations
 
 __all__ = [
     "check_model",
+    "compare",
     "compile_sketch",
     "generate_sketch",
     "load_code",

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from robosmi.base.data_text import Json
     from robosmi.diagnostics import Finding
     from robosmi.metamodels import ccode, hardware, migration
+    from robosmi.model import Model
+    from robosmi.model.comparison.comparison import ModelComparison
     from robosmi.project import Project
     from robosmi.recommend.ranking import Recommendation
     from robosmi.verify.toolchains.compile_report import CompileReport
@@ -346,6 +348,28 @@ def check_model(path: str | Path) -> Analysed:
     """
     found: Analysed = content("chain", "check")(path)
     return found
+
+
+def compare(
+    before: str | Path | Model, after: str | Path | Model, *, metamodel: str | Path | Sequence[str | Path] = ()
+) -> ModelComparison:
+    """What is different about two models: elements matched by id, by key, else by similarity.
+
+    Args:
+        before: a model of EMF, or its file (XMI, JSON, .ecore).
+        after: the other.
+        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+
+    Returns:
+        The comparison; `.changes` in order, `.equal` whether there are none.
+
+    Raises:
+        SourceError: a file cannot be read.
+        ModelError: a model contradicts its metamodel, they are of different ones, or one is no model of EMF.
+    """
+    from robosmi.model.comparison.comparison import compare as compared
+
+    return compared(before, after, metamodel)
 
 
 def compile_sketch(sketch: str | Path, board: str | None = None, output: str | Path | None = None) -> CompileReport:

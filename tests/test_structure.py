@@ -78,6 +78,7 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
         "xmi": ("ecore", "elements"),
         "": ("xmi", "ecore", "elements"),
         "generator": ("", "ecore", "elements"),
+        "comparison": ("", "xmi", "ecore", "elements"),
     },
     "robosmi/query": {"": (), "rules": ("",)},
     "robosmi/verify": {"toolchains": (), "": ("toolchains",), "uploads": ("toolchains",), "traces": ("",)},

@@ -79,6 +79,7 @@ GROUPS = {
     },
     "models": {
         "query": "query a model of any technology",
+        "diff": "compare two models and list what differs",
         "run": "run the steps of a chain that have changed",
         "corpus": "run many programs and collect their results in tables",
         "metamodels": "export the metamodels, or generate Python packages from one",
@@ -335,6 +336,7 @@ EXAMPLES = {
     "corpus": "robosmi corpus run corpus.toml -o results --steps analyse,migrate",
     "run": "robosmi run chain.toml --dry-run",
     "query": 'robosmi query out/models/plan.xmi "PortBinding.all.select(lambda b: b.open).name"',
+    "diff": "robosmi diff before/models/plan.xmi after/models/plan.xmi",
     "parts": "robosmi parts import parts-folder",
     "platform": "robosmi platform import include --name mine",
     "metamodels": "robosmi metamodels generate library.ecore -o packages",

@@ -42,7 +42,7 @@ def __getattr__(name: str) -> Any:
 
 
 def load_model(path: str | Path) -> DynamicEObject:
-    """Read an XMI file, with the files it refers to, and return its root element; older versions of metamodels are migrated.
+    """Read an XMI or JSON file, with the files it refers to, and return its root; older versions of metamodels are migrated.
 
     Raises:
         SourceError: a file cannot be read as XMI.
@@ -55,7 +55,7 @@ def load_model(path: str | Path) -> DynamicEObject:
 
 
 def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | None = None) -> None:
-    """Write a model as XMI, atomically.
+    """Write a model as XMI, or as JSON by the file's name (`.json`), atomically.
 
     Args:
         root: its root element.
@@ -66,7 +66,16 @@ def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | Non
         ModelError: a reference leads to none of these models.
     """
     from robosmi.files.files import write_atomic
-    from robosmi.model.xmi.xmi_writer import to_xmi
+    from robosmi.model.xmi.json_parser import is_json
+    from robosmi.model.xmi.xmi_writer import roots_in, to_xmi
 
     target = Path(path)
-    write_atomic(target, to_xmi({target.name: root, **(others or {})})[target.name])
+    models = {target.name: root, **(others or {})}
+    if is_json(target):
+        from robosmi.model.xmi.json_writer import to_json
+        from robosmi.model.xmi.xmi_locations import XmiLocations
+
+        every = {name: roots_in(given) for name, given in models.items()}
+        write_atomic(target, to_json(target.name, every[target.name], XmiLocations(every)))
+    else:
+        write_atomic(target, to_xmi(models)[target.name])

@@ -81,7 +81,7 @@ class EmfModel(TypedModel):
         lenient: bool = True,
         open_files: OpenFiles | None = None,
     ) -> EmfModel:
-        """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
+        """Read an XMI file, or one in JSON (`.json`); what it refers to in other files is read with it and belongs to models of their own.
 
         Args:
             path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
@@ -143,7 +143,7 @@ class EmfModel(TypedModel):
         return model
 
     def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
-        """Write the model as XMI, whole or not at all.
+        """Write the model as XMI, or as JSON by the name of the file (`.json`), whole or not at all.
 
         References into other files lead there again, seen from the new place: into files that were read with the model, and into
         all models that have a path. So does xsi:schemaLocation, where the file had one. Other files are not written, even where

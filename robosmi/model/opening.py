@@ -1,4 +1,4 @@
-"""Any model file by its ending: `open_model("x.xmi")`, `open_model("parts.csv")`, `open_model("robot.c")`.
+"""Any model file by its ending: `open_model("x.xmi")`, `open_model("m.json")`, `open_model("a.csv")`, `open_model("robot.c")`.
 
 Drivers of the framework are listed here; others are offered through the registry (`robosmi.plugins`) as kind "driver", under a
 name, under each ending they take (`.c`), and under a slash with the name of the file that marks the folders they take: a function
@@ -27,7 +27,7 @@ _DRIVERS = {
     "xml": "robosmi.model.plain_xml:open_xml",
     "rows": "robosmi.model.table:open_rows",
 }
-_ENDINGS = {".xmi": "emf", ".ecore": "emf", ".xml": "xml", ".csv": "rows", ".tsv": "rows"}
+_ENDINGS = {".xmi": "emf", ".ecore": "emf", ".json": "emf", ".xml": "xml", ".csv": "rows", ".tsv": "rows"}
 
 
 _SCRIPT = "an Epsilon script, which is no model", "write it as rules in Python: docs/reference/epsilon.md"
@@ -35,7 +35,6 @@ _NO_MODELS = {
     **dict.fromkeys((".eol", ".etl", ".evl", ".egl", ".egx", ".ecl", ".eml", ".epl", ".mig", ".pinset"), _SCRIPT),
     ".emf": ("an Emfatic text, which is not read", "make an .ecore file of it with Eclipse, and give that"),
     ".flexmi": ("a Flexmi model, which is not read", "save it as XMI with Epsilon, and open that"),
-    ".json": ("JSON, for which there is no driver", "save it as XMI, or name a driver of your own"),
 }
 """Endings of files that are no models here -> what they are, and what to do."""
 

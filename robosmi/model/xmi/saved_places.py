@@ -9,6 +9,7 @@ import hashlib
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path, PurePath
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -21,6 +22,8 @@ from robosmi.model.ecore.metamodels import Metamodels, built_in
 from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import own_resource_of
+from robosmi.model.xmi.json_parser import is_json
+from robosmi.model.xmi.json_writer import to_json
 from robosmi.model.xmi.preserved_layout import NotPreservedError, preserve_layout
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
 from robosmi.model.xmi.xmi_reader import read_alone
@@ -32,6 +35,7 @@ if TYPE_CHECKING:
     from robosmi.model.xmi.xmi_layout import Root
     from robosmi.model.xmi.xmi_locations import Neighbour
 
+_INDENTED = re.compile(rb"\n([ \t]+)")
 _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]*:")
 
 
@@ -58,6 +62,8 @@ def text_of(
     """
     models = models_around(target, roots, given, read)
     locations = XmiLocations(models, neighbour_finder(target, models), target.parent)
+    if is_json(target):
+        return to_json(target.name, models[target.name], locations)
     places = metamodel_places(source or target, schema_locations, target)
     return to_xmi(models, [target.name], locations, schema_locations=places)[target.name]
 
@@ -97,6 +103,8 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     if original == text or hashlib.sha256(original).hexdigest() != digest or _is_nearly(original, text):
         return text
     known = Metamodels([*packages, *built_in().packages])
+    if is_json(source) or is_json(target):
+        return _in_its_json(text, source, original, known) if source.suffix == target.suffix else text
     before = _as_written(source, original, known, target)
     if before is None or before == original:  # the file's layout is ours
         return text
@@ -112,13 +120,25 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     return made if _as_written(target, made, known, target) == now else text
 
 
+def _in_its_json(text: bytes, source: Path, original: bytes, metamodels: Metamodels) -> bytes:
+    """The new text of a model in JSON: the file's own bytes if it says the same, else with the file's indentation."""
+    document = read_alone(source, original, metamodels)
+    if document is not None:
+        with suppress(ModelError):
+            locations = XmiLocations({source.name: document.roots}, None, source.parent)
+            if to_json(source.name, document.roots, locations) == text:
+                return original
+    indented = _INDENTED.search(original)
+    return _INDENTED.sub(lambda found: b"\n" + indented[1] * (len(found[1]) // 2), text) if indented is not None else text
+
+
 def back_up_comments(target: Path, text: bytes) -> Path | None:
     """Keep the file that is to be overwritten beside it, as NAME.orig, if it has comments that the new text lacks.
 
     Returns:
         The copy, or None if nothing is lost.
     """
-    if not target.is_file() or not comments_lost(old := inputs.read_bytes(target, inputs.MODEL), text):
+    if is_json(target) or not target.is_file() or not comments_lost(old := inputs.read_bytes(target, inputs.MODEL), text):
         return None
     copy = target.with_name(free_name(target.parent, f"{target.name}.orig"))
     write_atomic(copy, old)

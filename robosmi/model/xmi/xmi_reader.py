@@ -29,6 +29,7 @@ from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
+from robosmi.model.xmi.json_parser import is_json, parse_json
 from robosmi.model.xmi.xmi_linker import XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 
@@ -246,13 +247,7 @@ class _Reader:
             return None
         place = str(path)
         try:
-            document = parse(
-                path, data, self.plans, self.package, lambda text: self.locate(path, text),
-                lambda line, text: self.problems.append((Location(place, line), text)),
-                None if self.strict else lambda line, text, uri: self.odd.add(
-                    FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
-                ),
-            )  # fmt: skip
+            document = self.parsed(path, data)
         except ForeignRoot:
             return self.ecore(path, referrer or Location(place))
         except Unreadable as error:
@@ -263,6 +258,28 @@ class _Reader:
         self.documents[path] = document
         document.digest = hashlib.sha256(data).hexdigest()
         return document
+
+    def parsed(self, path: Path, data: bytes) -> Document:
+        """The document of a file's bytes, XMI or JSON by its name.
+
+        Raises:
+            Unreadable, ForeignRoot: as `parse`.
+        """
+        place = str(path)
+
+        def problem(line: int, text: str) -> None:
+            self.problems.append((Location(place, line), text))
+
+        def foreign(line: int, text: str, uri: str) -> None:
+            self.odd.add(
+                FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
+            )
+
+        if is_json(path):
+            return parse_json(path, data, self.plans, self.package, problem)
+        return parse(
+            path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, None if self.strict else foreign
+        )  # fmt: skip
 
     def _unknown(self, error: Unreadable) -> tuple[str, str]:
         """What is wrong with a file whose root has an unknown namespace, and what to do about it."""

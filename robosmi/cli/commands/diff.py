@@ -1,0 +1,54 @@
+"""`robosmi diff A B`: what is different about two models."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from robosmi.cli.common import check_replaced
+from robosmi.report import Report
+
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
+
+
+def configure(parser: Options) -> None:
+    """Add the command's options."""
+    parser.add_argument("before", metavar="A", type=Path, help="a model in XMI, JSON (.json) or .ecore")
+    parser.add_argument("after", metavar="B", type=Path, help="another model of the same metamodel")
+    parser.add_argument(
+        "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
+        help="metamodel of both models; repeatable",
+    )  # fmt: skip
+    parser.add_argument("-o", dest="page", metavar="FILE.html", type=Path, help="also write the differences as a page")
+
+
+class _Arguments(argparse.Namespace):
+    """The options and arguments of the command."""
+
+    before: Path
+    after: Path
+    metamodels: list[Path]
+    page: Path | None
+
+
+def run(arguments: _Arguments) -> Report:
+    """Run the command."""
+    from robosmi.api import compare
+    from robosmi.files.files import write_atomic
+    from robosmi.report.comparison_page import comparison_page
+
+    report = Report("diff")
+    found = compare(arguments.before, arguments.after, metamodel=arguments.metamodels)
+    report.findings = found.findings
+    report.result = {"equal": found.equal, "changes": [change.to_json() for change in found.changes]}
+    report.lines = found.lines() or ["no difference"]
+    if arguments.page is not None:
+        check_replaced(arguments.page, b"<!DOCTYPE html>", "page")
+        page = comparison_page(str(arguments.before), str(arguments.after), found.changes)
+        write_atomic(arguments.page, page.encode("utf-8", "replace"))
+        report.artifacts = [{"path": str(arguments.page), "kind": "page"}]
+        report.lines.append(f"wrote {arguments.page}")
+    report.failure_code, report.ok = 1, found.equal
+    return report

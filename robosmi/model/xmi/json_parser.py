@@ -1,0 +1,244 @@
+"""Parses one JSON file into elements, in the form that EMF-JSON gives to models (emfjson-jackson).
+
+A root and an element of another class than the declared one name theirs (`"eClass": "http://lab/m#//Node"`); contained elements
+are nested; a reference is an object with `$ref`, a fragment or URI; `_id` is an xmi:id. Values are taken as XMI's texts are.
+Elements are built as `xmi_parser` builds them, and references are left to `xmi_linker`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from robosmi.base.located_json import JsonError, LocatedJson, LocatedList, LocatedObject, located_json
+from robosmi.errors import did_you_mean
+from robosmi.model.ecore.xmi_document import Document, PackageOf, Problem, Unreadable
+from robosmi.model.elements import ecore
+from robosmi.model.elements.compact_slots import AttributeValue, ReferenceValue, new_slot
+from robosmi.model.elements.datatypes import ECORE_URI
+from robosmi.model.elements.ecore import DynamicEObject
+from robosmi.model.elements.features import class_names
+from robosmi.model.elements.pyecore_internals import IDENTITY
+from robosmi.model.elements.xmi_plan import CHILD, CHILDREN, IGNORED, REFERENCE, REFUSED, VALUE, ClassPlan, FeatureEntry, Plans
+from robosmi.model.xmi.xmi_linker import resolve
+from robosmi.model.xmi.xmi_parser import Builder
+
+CLASS, LINK, ID = "eClass", "$ref", "_id"
+"""The keys that are no features."""
+UUID = "uuid"
+"""What pyecore's JSON calls an id."""
+_SHAPE = "give a model in the form of EMF-JSON, whose roots name their class: " + '{"eClass": "NAMESPACE#//CLASS"}'
+
+
+def is_json(path: Path) -> bool:
+    """Whether a file's model is JSON, by its name."""
+    return path.suffix.lower() == ".json"
+
+
+def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem) -> Document:
+    """Build the elements of one file.
+
+    Args:
+        path: the file, for the document.
+        data: its bytes.
+        plans: the plans of this load.
+        package_of: finds a package by its namespace.
+        problem: is told line and text of every problem.
+
+    Raises:
+        Unreadable: it is no JSON, or a root is no element of a known metamodel.
+    """
+    try:
+        value = located_json(data)
+    except JsonError as error:
+        raise Unreadable(f"not well-formed JSON: {error}", error.line, "correct the file") from None
+    return _Parser(path, plans, package_of, problem).run(value)
+
+
+class _Parser(Builder):
+    """The state of one pass."""
+
+    line = 1
+
+    def here(self, text: str) -> None:
+        """Note a problem at the current line."""
+        self.problem(self.line, text)
+
+    def skip(self) -> None:
+        """What is not read is not looked at."""
+
+    def run(self, value: LocatedJson) -> Document:
+        """Build the roots and all they contain; with a stack, outer elements before inner ones."""
+        roots = value if isinstance(value, list) else [value]
+        for root in roots:
+            if not isinstance(root, LocatedObject) or not isinstance(root.get(CLASS), str):
+                line = root.line if isinstance(root, (LocatedObject, LocatedList)) else 1
+                raise Unreadable("the JSON is no model: a root has no 'eClass'", line, _SHAPE)
+            plan = self.root(str(root[CLASS]), root.lines[CLASS])
+            if plan is None:
+                continue
+            element = self.made(plan, root)
+            self.document.roots.append(element)
+            stack = [(element, plan, root)]
+            while stack:
+                stack += reversed(self.fill(*stack.pop()))
+        return self.document
+
+    def root(self, uri: str, line: int) -> ClassPlan | None:
+        """The plan of a root's class; None with the problem noted if it has no elements."""
+        self.line = line
+        namespace = uri.partition("#")[0]
+        if namespace == ECORE_URI:
+            raise Unreadable(f"the root is a '{uri}': metamodels are not read from JSON", line, "save it as an .ecore file")
+        plan = self.class_of(uri)
+        if plan is None:
+            fix = "" if self.package_of(namespace) is None else _SHAPE
+            raise Unreadable(f"the class '{uri}' of a root is in no metamodel known here{self.near(uri)}", line, fix, namespace)
+        if plan.abstract:
+            self.here(f"{plan.name} is abstract: it has no elements of its own")
+            return None
+        return plan if self.usable(plan) else None
+
+    def class_of(self, uri: str) -> ClassPlan | None:
+        """The plan of the class that a URI leads to, or None."""
+        if uri not in self.types:
+            namespace, _, fragment = uri.partition("#")
+            package = self.package_of(namespace)
+            found = resolve(package, fragment) if package is not None and fragment.startswith("/") else None
+            found = getattr(found, "eClass", found) if isinstance(found, type) else found
+            self.types[uri] = self.plans.of(found) if isinstance(found, ecore.EClass) else None
+        return self.types[uri]
+
+    def near(self, uri: str) -> str:
+        """The class that a URI may mean."""
+        package = self.package_of(uri.partition("#")[0])
+        return did_you_mean(uri.rpartition("/")[2], class_names(package)) if package is not None else ""
+
+    def made(self, plan: ClassPlan, given: LocatedObject) -> DynamicEObject:
+        """A new element of a class, with its id."""
+        element: DynamicEObject = object.__new__(plan.cls)
+        identity = given.get(ID) if ID not in plan.entries else None
+        if UUID not in plan.entries:
+            identity = identity or given.get(UUID)
+        self.line = given.lines.get(ID) or given.lines.get(UUID) or given.line
+        if isinstance(identity, str):
+            element.__dict__[IDENTITY] = identity
+            self.identify(identity, element)
+        if plan.bounds:
+            self.document.counted.append((element, plan, given.line))
+        return element
+
+    def fill(
+        self, element: DynamicEObject, plan: ClassPlan, given: LocatedObject
+    ) -> list[tuple[DynamicEObject, ClassPlan, LocatedObject]]:
+        """Set the features of an element.
+
+        Returns:
+            The elements that it contains, with their plans, which are to be filled.
+        """
+        inside: list[tuple[DynamicEObject, ClassPlan, LocatedObject]] = []
+        for name, value in given.items():
+            self.line = given.lines[name]
+            entry = plan.entries.get(name)
+            if entry is None or "}" in name:
+                if name not in (CLASS, ID, UUID):
+                    known = [each for each in plan.entries if "}" not in each]
+                    self.here(f"{plan.name} has no feature '{name}'{did_you_mean(name, known)}")
+            elif entry.kind == REFUSED:
+                self.here(entry.message)
+            elif entry.kind != IGNORED:
+                self.feature(element, plan, entry, value, inside)
+        return inside
+
+    def feature(
+        self,
+        element: DynamicEObject,
+        plan: ClassPlan,
+        entry: FeatureEntry,
+        value: LocatedJson,
+        inside: list[tuple[DynamicEObject, ClassPlan, LocatedObject]],
+    ) -> None:
+        """Set one feature, to one value or to several."""
+        slots: Any = element.__dict__
+        if entry.kind == VALUE and entry.feature.eType is ecore.EStringToStringMapEntry:
+            self.pairs(element, slots, plan, entry, value)
+            return
+        if entry.many != isinstance(value, list):
+            if value is not None or not entry.many:
+                self.here(f"{plan.name}.{entry.feature.name} takes {'a list' if entry.many else 'one value, not a list'}")
+            return
+        for one in value if isinstance(value, list) else [value]:
+            if isinstance(one, (LocatedObject, LocatedList)):
+                self.line = one.line
+            if entry.kind not in (CHILD, CHILDREN, REFERENCE):
+                self.plain_value(element, slots, plan, entry, one)
+            elif one is None:
+                if not entry.many and entry.kind == REFERENCE:
+                    slots[entry.key] = new_slot(ReferenceValue, element, entry.feature, None)
+            elif not isinstance(one, LocatedObject):
+                self.here(f"{plan.name}.{entry.feature.name} takes elements, each an object")
+            elif LINK in one or entry.kind == REFERENCE:
+                self.link(element, plan, entry, one)
+            elif (child_plan := self.plan_in(entry, one)) is not None:
+                child = self.made(child_plan, one)
+                self.contain(element, slots, entry, child, child.__dict__)
+                inside.append((child, child_plan, one))
+
+    def plain_value(self, element: DynamicEObject, slots: Any, plan: ClassPlan, entry: FeatureEntry, value: LocatedJson) -> None:
+        """Set a value, or add one to many."""
+        if isinstance(value, (LocatedObject, LocatedList)):
+            self.here(f"{plan.name}.{entry.feature.name} takes a value, not an object or a list")
+        else:
+            text = ("true" if value else "false") if isinstance(value, bool) else value if value is None else str(value)
+            self.add_value(element, slots, plan.name, entry, text)
+
+    def pairs(self, element: DynamicEObject, slots: Any, plan: ClassPlan, entry: FeatureEntry, value: LocatedJson) -> None:
+        """Set the details of an annotation, which are an object."""
+        if not isinstance(value, LocatedObject) or not all(each is None or isinstance(each, str) for each in value.values()):
+            self.here(f"{plan.name}.{entry.feature.name} takes an object whose values are texts")
+            return
+        held: Any = dict(value)
+        slots[entry.key] = new_slot(AttributeValue, element, entry.feature, held)
+
+    def link(self, element: DynamicEObject, plan: ClassPlan, entry: FeatureEntry, given: LocatedObject) -> None:
+        """Note a reference, or a contained element of another file, to be resolved when all elements are there."""
+        link = given.get(LINK)
+        if link is None and LINK in given:  # what EMF-JSON writes for an element that is nowhere
+            return
+        if not isinstance(link, str) or not link:
+            self.here(f"{plan.name}.{entry.feature.name} takes an object with '$ref'")
+            return
+        for name in given.keys() - {CLASS, LINK}:
+            self.problem(given.lines[name], f"'{name}' stands beside '$ref', in a reference")
+        kind = self.class_of(str(given[CLASS])) if CLASS in given else None
+        if entry.kind == REFERENCE:
+            if kind is not None:
+                self.document.types[link] = kind.cls
+            self.document.references.append((element, entry, link, self.line, True))
+        else:
+            held = element.__dict__.get(entry.key)
+            place = len(held) if held is not None and entry.many else 0
+            place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
+            self.document.types[link] = kind.cls if kind is not None else entry.declared.python_class
+            self.document.parts.append((element, entry, link, self.line, place))
+
+    def plan_in(self, entry: FeatureEntry, given: LocatedObject) -> ClassPlan | None:
+        """The plan of a contained element; None with the problem noted."""
+        if CLASS not in given:
+            plan = self.plans.of(entry.declared)
+            if plan.abstract:
+                self.here(f"{plan.name} is abstract: the element needs an 'eClass'")
+                return None
+            return plan if self.usable(plan) else None
+        self.line, uri = given.lines[CLASS], given[CLASS]
+        found = self.class_of(uri) if isinstance(uri, str) else None
+        if found is None:
+            namespace = str(uri).partition("#")[0]
+            said = f"'{uri}' is no class of a metamodel known here"
+            unknown = f": nobody has the namespace '{namespace}'" if self.package_of(namespace) is None else self.near(str(uri))
+            self.here(f"{said}{unknown}")
+            return None
+        if not entry.takes(found.cls):
+            self.here(f"{found.name} is no {entry.declared.name}, which '{entry.feature.name}' takes")
+            return None
+        return found if self.usable(found) else None

@@ -1,0 +1,283 @@
+"""Models to JSON text in the form of EMF-JSON (emfjson-jackson), which `json_parser` reads.
+
+What is written of an element, and where references lead, is what `xmi_writer` writes: the same features in the same order, no
+defaults, the same fragments. Numbers and truth values are JSON's own; all other values are the texts that XMI has for them.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from robosmi.base.data_text import Json
+from robosmi.base.located_json import MOST_LEVELS
+from robosmi.errors import ModelError
+from robosmi.model.elements import ecore
+from robosmi.model.elements.datatypes import real
+from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
+from robosmi.model.elements.features import is_of_ecore
+from robosmi.model.elements.proxies import is_local, proxy_uri, uri_from
+from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
+from robosmi.model.xmi.json_parser import CLASS, ID, LINK
+from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column, Layouts
+from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
+
+if TYPE_CHECKING:
+    from robosmi.model.elements.ecore import Value
+
+_SURROGATE = re.compile("[\ud800-\udfff]")
+_ELEMENT_OF_ECORE = "save it as an .ecore file"
+
+
+def to_json(name: str, roots: Sequence[EObject], places: XmiLocations, indent: str = "  ") -> bytes:
+    """The text of one file: one root, or a list of none or several.
+
+    Args:
+        name: the file's name as `places` has it.
+        roots: its root elements.
+        places: where the elements of this model, and of those that it refers to, are.
+        indent: what stands before the lines of an object or list, for each level.
+
+    Raises:
+        ModelError: a reference leads to an element in none of the models, a value is not of its feature's type or too many, an
+            id is used twice, the roots are a metamodel, or elements are nested deeper than JSON's readers take.
+    """
+    writer = _Writer(name, places)
+    trees: list[Json] = [writer.tree(root) for root in roots]
+    return f"{''.join(_pieces(trees[0] if len(trees) == 1 else trees, indent))}\n".encode()
+
+
+class _Writer:
+    """One file."""
+
+    def __init__(self, name: str, places: XmiLocations) -> None:
+        self.name = name
+        self.places = places
+        self.layouts = Layouts()
+        self.classes: dict[EClass, str] = {}
+        self.ids: dict[str, EObject] = {}
+
+    def tree(self, root: EObject) -> dict[str, Json]:
+        """An element with all that it contains, as JSON has it."""
+        if is_of_ecore(root.eClass):
+            raise self.problem(root, None, "is an element of a metamodel, which is not written as JSON", _ELEMENT_OF_ECORE)
+        whole: dict[str, Json] = {CLASS: self.class_uri(root.eClass)}
+        stack: list[tuple[EObject, dict[str, Json], int]] = [(root, whole, 2)]
+        while stack:
+            element, made, level = stack.pop()
+            if level > MOST_LEVELS:
+                said = f"is nested deeper than the {MOST_LEVELS} levels that readers of JSON take"
+                raise self.problem(element, None, said, "save the model as XMI")
+            stack += reversed(self.fill(element, made, level))
+        self.layouts.close()
+        return whole
+
+    def fill(self, element: EObject, made: dict[str, Json], level: int) -> list[tuple[EObject, dict[str, Json], int]]:
+        """Add an element's features; gives the elements that it contains, which are to be filled."""
+        inside: list[tuple[EObject, dict[str, Json], int]] = []
+        layout = self.layouts.known.get(element.__class__) or self.layouts.of(element)
+        if layout.has_id or xmi_id_of(element) is not None:
+            self.identify(element, made)
+        slots = element.__dict__
+        for *_, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
+            slot = slots[column.key]
+            if column.kind == CHILDREN:
+                self.children(element, column, slot, made, level, inside)
+            elif column.kind == LINKS:
+                target = None if column.many else target_in(slot)
+                targets: Sequence[EObject] = list(slot) if column.many else [] if target is None else [target]
+                self.add(element, column, made, [self.link(element, column, real(each)) for each in targets])
+            elif column.kind == VALUES:
+                self.add(element, column, made, [self.value(element, column, each) for each in slot])
+            elif column.kind == VALUE:
+                self.single(element, column, value_in(slot) if isinstance(slot, ecore.EValue) else slot, made)
+            elif column.kind == DETAILS:
+                held: Any = slot if isinstance(slot, dict) else value_in(slot)
+                if held:
+                    made[column.name] = {str(key): value for key, value in held.items()}
+            elif len(slot) if column.many else value_in(slot) is not None:
+                raise self.problem(element, column, "is a feature map, which is not supported", "leave it empty")
+        return inside
+
+    # --- features
+
+    def add(self, element: EObject, column: Column, made: dict[str, Json], values: list[Json]) -> None:
+        """Set what a feature has, none, one or many."""
+        if 1 < column.upper < len(values):
+            raise self.problem(element, column, f"takes {column.upper} values, not {len(values)}", "remove what is too much")
+        if values:
+            made[column.name] = values if column.many else values[0]
+        elif column.is_unsettable and column.feature in set_features_of(element):
+            made[column.name] = [] if column.many else None
+
+    def single(self, element: EObject, column: Column, value: Value, made: dict[str, Json]) -> None:
+        """Set a value that is not the default."""
+        if column.is_unsettable:
+            if column.feature in set_features_of(element):
+                made[column.name] = self.value(element, column, value)
+        elif value is None:
+            if column.default is not None and not column.is_primitive:
+                made[column.name] = None
+        elif value != column.default:
+            made[column.name] = self.value(element, column, value)
+
+    def value(self, element: EObject, column: Column, value: Value) -> Json:
+        """A value as JSON has it."""
+        if value is None:
+            return None
+        try:
+            text = str(column.convert(value))
+        except ValueError as error:
+            raise self.problem(element, column, str(error), "set a value of the feature's type") from None
+        if isinstance(value, bool) and text in ("true", "false"):
+            return value
+        if isinstance(value, int) and text == str(int(value)):
+            return int(value)
+        return _Number(text) if isinstance(value, float) and math.isfinite(value) else text
+
+    def children(
+        self,
+        element: EObject,
+        column: Column,
+        slot: Any,
+        made: dict[str, Json],
+        level: int,
+        inside: list[tuple[EObject, dict[str, Json], int]],
+    ) -> None:
+        """Set what a feature contains."""
+        single = None if column.many else target_in(slot)
+        held: Sequence[EObject] = [] if single is None else [single]
+        if column.many:
+            held = slot.items if isinstance(slot, EOrderedSet) else list(slot)
+        found: list[Json] = []
+        for given in held:
+            child = real(given)
+            if proxy_uri(child) is None and container_of(child) is not element:
+                what = f"contains {shown(child)}, whose container is {shown(container_of(child))}"
+                raise self.problem(element, column, what, "put the element into one container")
+            if proxy_uri(child) is not None or id(child) in self.places.nested:
+                if self.place(element, column, child)[0] == self.name:
+                    fix = "take it out of the roots, or out of here"
+                    raise self.problem(element, column, f"contains {shown(child)}, which is a root", fix)
+                found.append(self.link(element, column, child))
+                continue
+            part: dict[str, Json] = {} if child.eClass is column.declared else {CLASS: self.class_uri(child.eClass)}
+            found.append(part)
+            inside.append((child, part, level + 1 + column.many))
+        self.add(element, column, made, found)
+
+    # --- places
+
+    def identify(self, element: EObject, made: dict[str, Json]) -> None:
+        """Write the xmi:id, and make sure that no id is used twice."""
+        try:
+            identity = self.places.identity(element)
+        except UnusableId as error:
+            fix = "let ids begin with another character than '/'"
+            raise self.problem(element, None, f"has the id '{error}', which would be read as a path", fix) from None
+        if identity is None:
+            return
+        other = self.ids.setdefault(identity, element)
+        if other is not element:
+            fix = "give every element of a file an id of its own"
+            raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
+        if xmi_id_of(element) is not None:
+            made[ID] = identity
+
+    def place(self, element: EObject, column: Column, target: EObject) -> tuple[str, str]:
+        """File and fragment of a target."""
+        if proxy_uri(target) is not None:
+            return self.name if is_local(target) else "", uri_from(target, self.places.folder)
+        try:
+            return self.places.find(target)
+        except UnusableId as error:
+            what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
+            raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
+        except Unplaced:
+            what = f"refers to {shown(target)}, which is in none of the models that have a file"
+            fix = "add the target to a model, save that model first so that it has a file, or remove the reference"
+            raise self.problem(element, column, what, fix) from None
+
+    def link(self, element: EObject, column: Column, target: EObject) -> Json:
+        """A reference, with the class of its target."""
+        file, fragment = self.place(element, column, target)
+        if file and file != self.name:
+            fragment = f"{relative(self.name, file)}#{fragment}"
+        eclass = target.eClass if isinstance(target, ecore.EObject) else target.__class__.eClass
+        return {CLASS: self.class_uri(eclass), LINK: fragment}
+
+    def class_uri(self, eclass: EClass) -> str:
+        """The URI of a class, by the namespace of its package."""
+        found = self.classes.get(eclass)
+        if found is None:
+            try:
+                found = self.classes[eclass] = metamodel_uri(eclass)
+            except Unplaced:
+                raise ModelError(
+                    f"{self.name}: the class {eclass.name} is in no package with a namespace",
+                    fix="give its package a namespace in the .ecore file",
+                ) from None
+        return found
+
+    def problem(self, element: EObject, column: Column | None, what: str, fix: str) -> ModelError:
+        """The error for an element or a value."""
+        name = f".{column.name}" if column is not None else ""
+        return ModelError(f"{self.name}: {shown(element)}{name} {what}", fix=fix)
+
+
+class _Number(float):
+    """A number with the digits that its data type writes, which are fewer in 32 bits."""
+
+    def __new__(cls, text: str) -> _Number:
+        """A number of a text."""
+        made = super().__new__(cls, text)
+        made.text = text
+        return made
+
+    text: str
+
+
+# --- text
+
+
+def _pieces(value: Json, indent: str) -> Iterator[str]:
+    """The text of a value in pieces, as `json.dumps` lays it out; that of Python descends recursively."""
+    stack: list[tuple[Iterator[tuple[str, Json]], str]] = [(iter([("", value)]), "")]
+    fresh = True
+    while stack:
+        items, closing = stack[-1]
+        item = next(items, None)
+        if item is None:
+            stack.pop()
+            if stack:
+                yield f"{_line(indent, len(stack) - 1)}{closing}"
+            fresh = False
+            continue
+        if len(stack) > 1:
+            yield f"{'' if fresh else ','}{_line(indent, len(stack) - 1)}{item[0]}"
+        fresh = False
+        one = item[1]
+        if isinstance(one, dict) and one:
+            yield "{"
+            stack.append((iter([(f"{_quoted(str(key))}: ", each) for key, each in one.items()]), "}"))
+            fresh = True
+        elif isinstance(one, list) and one:
+            yield "["
+            stack.append((iter([("", each) for each in one]), "]"))
+            fresh = True
+        elif isinstance(one, str):
+            yield _quoted(one)
+        else:
+            yield one.text if isinstance(one, _Number) else json.dumps(one)
+
+
+def _line(indent: str, level: int) -> str:
+    return f"\n{indent * level}"
+
+
+def _quoted(text: str) -> str:
+    """A text in quotation marks; half a character outside of Unicode's first plane cannot stand in UTF-8, and is escaped."""
+    return json.dumps(text, ensure_ascii=_SURROGATE.search(text) is not None)
