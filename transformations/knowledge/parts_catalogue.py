@@ -33,6 +33,7 @@ _NO_PARTS = (
     "wokwi_types.toml",
     "port_roles.toml",
     "motor_drivers.toml",
+    "drawn_symbols.toml",
 )
 """Files of the folder that other modules read."""
 _PART_KEYS = (

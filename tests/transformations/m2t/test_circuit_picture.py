@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 from collections import Counter
@@ -12,11 +13,13 @@ from typing import NamedTuple
 import pytest
 from lxml import etree
 
+from robosmi import resources
 from robosmi.errors import RobosmiError
 from robosmi.metamodels import hardware as hw
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.m2t.circuits.circuit_layout import text_width
 from robosmi.transformations.m2t.circuits.circuit_picture import MOST_LINES, circuit_picture, net_colours, rail_names, svg
+from robosmi.transformations.queries.circuits.drawn_symbols import symbol_names
 from robosmi.transformations.t2m.fritzing import read_circuit
 from tests.evaluation.scoring.sketches import labelled_sketches
 from tests.evaluation.sources import sketch_file
@@ -59,7 +62,7 @@ def spans(picture: str) -> list[Span]:
         text, size = "".join(map(str, element.itertext())), float(element.get("font-size", "12"))
         width = text_width(text, size, element.get("font-weight") == "bold")
         x, y = float(element.get("x", "0")), float(element.get("y", "0"))
-        left = x - width / 2 if element.get("text-anchor") == "middle" else x
+        left = x - width * {"middle": 0.5, "end": 1.0}.get(element.get("text-anchor", ""), 0.0)
         found.append(Span(left, y - 0.75 * size, left + width, y + 0.2 * size, text))
     return found
 
@@ -77,6 +80,30 @@ def overlapping(texts: list[Span]) -> list[tuple[str, str]]:
     return found
 
 
+def drawn_wires(root: etree._Element) -> list[etree._Element]:
+    """The wires of a picture."""
+    return [path for path in root.iter(f"{SVG}path") if path.get("class") == "wire"]
+
+
+def overlaid(picture: str) -> list[str]:
+    """The nets of which a wire is not made of straight horizontal and vertical pieces, or lies on one of another net."""
+    level: dict[tuple[bool, float], list[tuple[float, float, str]]] = {}
+    wrong = []
+    for wire in drawn_wires(etree.fromstring(picture.encode())):
+        numbers = [float(number) for number in _NUMBER.findall(wire.get("d", ""))]
+        trunk = wire.get("data-net") or wire.get("data-from", "")  # one line for several wires
+        for (x, y), (a, b) in pairwise(zip(numbers[::2], numbers[1::2], strict=True)):
+            if x != a and y != b:
+                wrong.append(trunk)
+            first, last = sorted((x, a) if y == b else (y, b))
+            level.setdefault((y == b, y if y == b else x), []).append((first, last, trunk))
+    for pieces in level.values():
+        pieces.sort()
+        for place, (_, end, trunk) in enumerate(pieces):
+            wrong += [trunk for start, _, other in pieces[place + 1 :] if start < end - _EXACT and other != trunk]
+    return wrong
+
+
 def loose_ends(picture: str) -> list[str]:
     """The wires of a picture that do not begin and end at two dots on edges of boxes."""
     root = etree.fromstring(picture.encode())
@@ -84,10 +111,10 @@ def loose_ends(picture: str) -> list[str]:
     boxes = [
         tuple(float(r.get(key, "0")) for key in ("x", "y", "width", "height"))
         for r in root.iter(f"{SVG}rect")
-        if r.get("rx") == "5"
+        if r.get("class") == "frame"
     ]
     wrong = []
-    for path in root.iter(f"{SVG}path"):
+    for path in drawn_wires(root):
         numbers = [float(number) for number in _NUMBER.findall(path.get("d", ""))]
         if numbers[:2] == numbers[-2:]:
             wrong.append(path.get("d", ""))
@@ -103,17 +130,17 @@ def loose_ends(picture: str) -> list[str]:
 
 
 def crossed(picture: str) -> list[str]:
-    """The wires that run around columns and still cross a box."""
+    """The wires that cross a box."""
     root = etree.fromstring(picture.encode())
     boxes = [
         tuple(float(r.get(key, "0")) for key in ("x", "y", "width", "height"))
         for r in root.iter(f"{SVG}rect")
-        if r.get("rx") == "5"
+        if r.get("class") == "frame"
     ]
     wrong = []
-    for wire in (path.get("d", "") for path in root.iter(f"{SVG}path")):
+    for wire in (path.get("d", "") for path in drawn_wires(root)):
         numbers = [float(number) for number in _NUMBER.findall(wire)]
-        corners = list(zip(numbers[::2], numbers[1::2], strict=True)) if "L" in wire else []
+        corners = list(zip(numbers[::2], numbers[1::2], strict=True))
         for (x, y), (a, b) in pairwise(corners):
             if any(
                 max(x, a) > left + _EXACT
@@ -161,6 +188,7 @@ def test_no_text_lies_over_another_and_no_wire_ends_nowhere_in_any_drawing() -> 
         wrong += [f"{path}: '{one}' and '{other}'" for one, other in overlapping(spans(picture))]
         wrong += [f"{path}: the wire {wire} ends nowhere" for wire in loose_ends(picture)]
         wrong += [f"{path}: the wire {wire} goes through a box" for wire in crossed(picture)]
+        wrong += [f"{path}: the wire of {net} lies on another" for net in overlaid(picture)]
         wrong += [f"{path}: '{text}' leaves the picture" for text in outside(picture)]
     assert wrong == []
     assert drawn >= 10
@@ -294,7 +322,8 @@ def test_a_column_that_is_too_long_is_folded_and_its_lines_go_round_it(tmp_path:
     root = etree.fromstring(picture.encode())
     width, height = (float(root.get(key, "0")) for key in ("width", "height"))
     assert height < 1_600 < 2 * width
-    assert sum("L" in wire.get("d", "") for wire in root.iter(f"{SVG}path")) > 20
+    assert len(drawn_wires(root)) == 64
+    assert overlaid(picture) == []
     assert overlapping(spans(picture)) == []
     assert loose_ends(picture) == []
     assert crossed(picture) == []
@@ -311,6 +340,95 @@ def test_links_are_the_signal_nets() -> None:
         "Arduino Uno D9 - Basic Servo1 pulse",
         "R1 Pin 1 - Red (633nm)-LED1 anode",
     ]
+
+
+def test_each_wire_tells_the_pin_and_the_port_that_it_leads_to_also_behind_a_resistor() -> None:
+    made = hardware(CASES["line_following_robot"])
+    drawn = drawn_wires(etree.fromstring(svg(made.circuit, (), {"D12": ["led"]}).encode()))
+    told = Counter((wire.get("data-pin"), wire.get("data-port")) for wire in drawn)
+    assert told == {("D8", None): 1, ("D9", None): 1, ("D10", None): 1, ("D11", None): 1, ("D12", "led"): 2}
+    assert len({wire.get("data-net") for wire in drawn}) == 6
+
+
+def test_a_picture_is_named_and_described_for_those_who_do_not_see_it() -> None:
+    root = etree.fromstring(hardware(CASES["line_following_robot"]).picture().encode())
+    assert root.get("role") == "img"
+    assert root.findtext(f"{SVG}title")
+    described = root.findtext(f"{SVG}desc") or ""
+    assert "Basic Servo1" in described
+    assert "6 signal wires" in described
+    assert all(wire.findtext(f"{SVG}title") for wire in drawn_wires(root))
+
+
+def _diagram(folder: Path, parts: dict[str, str], connections: list[tuple[str, str]]) -> Path:
+    path = folder / "diagram.json"
+    listed = [{"type": kind, "id": name} for name, kind in parts.items()]
+    path.write_text(json.dumps({"editor": "wokwi", "parts": listed, "connections": [[a, b, "", []] for a, b in connections]}))
+    return path
+
+
+_BOARDS = {
+    "wokwi-arduino-uno": {"D13": (1, 4), "D8": (1, 9), "D7": (1, 11), "D0": (1, 18), "A0": (-1, 13), "A5": (-1, 18)},
+    "wokwi-arduino-nano": {"D13": (-1, 0), "A7": (-1, 10), "D12": (1, 0), "D2": (1, 10), "D1": (1, 14)},
+    "wokwi-arduino-mega": {"A15": (-1, 24), "D13": (1, 4), "D22": (-1, 30), "D23": (1, 30), "D53": (1, 45)},
+    "wokwi-pi-pico": {"GP0": (-1, 0), "GP15": (-1, 19), "GP28": (1, 6), "GP16": (1, 19)},
+}
+
+
+@pytest.mark.parametrize("board", _BOARDS)
+def test_the_pins_of_a_board_are_where_they_are_at_the_board(tmp_path: Path, board: str) -> None:
+    pins = _BOARDS[board]
+    parts = {"board": board, **{f"led{number}": "wokwi-led" for number, _ in enumerate(pins)}}
+    connections = [(f"board:{label.removeprefix('D')}", f"led{number}:A") for number, label in enumerate(pins)]
+    made = hardware(_diagram(tmp_path, parts, connections))
+    [box] = [each for each in circuit_picture(made.circuit).boxes if each.is_board]
+    assert {row.pin: row.slot for row in box.rows if row.pin} == pins
+    root = etree.fromstring(made.picture().encode())
+    [frame] = [g[1] for g in root.iter(f"{SVG}g") if g.get("data-symbol") == "board"]
+    left, width = float(frame.get("x", "0")), float(frame.get("width", "0"))
+    drawn = {g.get("data-pin"): g.find(f"{SVG}circle") for g in root.iter(f"{SVG}g") if g.get("data-pin")}
+    edges = {label: (float(dot.get("cx", "0")) - left) / width for label, dot in drawn.items() if dot is not None}
+    assert edges == {label: (side + 1) / 2 for label, (side, _) in pins.items()}
+    assert overlapping(spans(made.picture())) == []
+
+
+def test_a_ground_is_at_the_pin_that_the_drawing_names(tmp_path: Path) -> None:
+    parts = {"uno": "wokwi-arduino-uno", "led": "wokwi-led"}
+    made = hardware(_diagram(tmp_path, parts, [("uno:7", "led:A"), ("led:C", "uno:GND.3"), ("uno:3.3V", "uno:AREF")]))
+    [box] = [each for each in circuit_picture(made.circuit).boxes if each.is_board]
+    grounds = {row.text: row.slot for row in box.rows if row.text.startswith("GND")}
+    assert grounds["GND.1"] == (1, 3)
+    assert grounds["GND.3"] == (-1, 10)
+    idle = [pin.text for pin in box.idle]
+    assert idle.count("D7") == 0
+    assert {"D0", "D13", "A5", "VIN"} <= set(idle)
+
+
+@pytest.mark.parametrize(
+    ("kind", "pin", "symbol"),
+    [
+        ("wokwi-led", "A", "led"), ("wokwi-resistor", "1", "resistor"), ("wokwi-servo", "PWM", "servo"),
+        ("wokwi-pushbutton", "1.l", "button"), ("wokwi-hc-sr04", "TRIG", "ranger"), ("wokwi-lcd1602", "RS", "display"),
+        ("board-ssd1306", "SDA", "display"), ("wokwi-buzzer", "1", "speaker"), ("wokwi-potentiometer", "SIG", "potentiometer"),
+        ("wokwi-photoresistor-sensor", "AO", "light_sensor"), ("wokwi-dht22", "SDA", "climate_sensor"),
+        ("wokwi-ir-receiver", "DAT", "ir_receiver"), ("wokwi-relay-module", "IN", "relay"),
+        ("wokwi-7segment", "A", "seven_segment"),
+        ("wokwi-membrane-keypad", "R1", "keypad"), ("wokwi-stepper-motor", "A+", "motor"), ("wokwi-ds1307", "SDA", "part"),
+    ],
+)  # fmt: skip
+def test_a_part_is_drawn_as_what_it_is(tmp_path: Path, kind: str, pin: str, symbol: str) -> None:
+    made = hardware(_diagram(tmp_path, {"uno": "wokwi-arduino-uno", "it": kind}, [("uno:7", f"it:{pin}")]))
+    root = etree.fromstring(made.picture().encode())
+    drawn = {g.get("data-component"): g for g in root.iter(f"{SVG}g") if g.get("data-component")}
+    assert drawn["it"].get("data-symbol") == symbol
+    assert [use.get("href") for use in drawn["it"].iter(f"{SVG}use")] == [f"#part-{symbol}"]
+    assert [each.get("id") for each in root.iter(f"{SVG}symbol")] == [f"part-{symbol}"]
+
+
+def test_each_symbol_that_the_data_names_is_drawn_and_no_other_one() -> None:
+    source = resources.find("templates", "circuit/symbols.svg.j2").read_text(encoding="utf-8")
+    names = set(re.findall(r'symbol == "(\w+)"', source))
+    assert names | {"part"} == set(symbol_names())
 
 
 def test_titles_that_are_markup_do_no_harm() -> None:

@@ -1,11 +1,12 @@
 """A circuit as a picture (SVG) that a person can hold beside the robot.
 
-Boards are at the left, then what is wired to them, then what is behind that; apart from them is what no signal connects to a
-board. Each connection of a signal net is a line, each connector on a rail has a coloured tag with the net's name. Power symbols
-are no boxes: one table lists the rails that they stand for. Beyond `MOST_LINES` lines the picture is by component: one line
-between two boxes stands for all their wires, and each row names what it is wired to. Findings are marked where they belong,
-ports of the source are shown at the pins that they became. This module decides what is drawn, `circuit_layout` arranges it, the
-template writes it.
+Boards are in the middle with their pins where they are at the board, beside them is what is wired to them, then what is behind
+that, each as the symbol of its kind; apart from them is what no signal connects to a board. Each connection of a signal net is a
+line, each connector on a rail has a coloured tag with the net's name. Power symbols are no boxes: one table lists the rails that
+they stand for. Beyond `MOST_LINES` lines the picture is by component: one line between two boxes stands for all their wires, and
+each row names what it is wired to. Findings are marked where they belong, ports of the source are shown at the pins that they
+became. A wire and a pin bear `data-net`, and `data-pin` and `data-port` where they lead to a pin of a board. This module decides
+what is drawn, `circuit_layout` arranges it, the template writes it.
 
 Also: names and colours of a circuit's nets in a picture; no two nets have the same.
 
@@ -31,9 +32,19 @@ from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.generate import Gen
 from robosmi.metamodels import hardware
-from robosmi.transformations.m2t.circuits.circuit_layout import HEAD, Box, DrawnLink, DrawnMark, PartRow, Place, placed
+from robosmi.transformations.m2t.circuits.circuit_layout import (
+    HEAD,
+    Box,
+    DrawnLink,
+    DrawnMark,
+    IdlePin,
+    PartRow,
+    Place,
+    placed,
+)
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key, pins_of
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
+from robosmi.transformations.queries.circuits.drawn_symbols import outline_of, places_at, plain_name, symbol_of
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
@@ -41,6 +52,8 @@ _FILLS = {
 }  # fmt: skip
 _TOLD = ("resistance", "capacitance", "voltage", "color")
 _LETTERS = 36
+_ENDS = 2
+_LOOSE = "#9aa5ad"
 _ROW_LETTERS = 44
 _MARK_LETTERS, _MARK_LINES = 52, 3
 _FOOT_LETTERS = 110
@@ -76,13 +89,21 @@ def picture_svg(picture: Picture) -> str:
     """The picture as SVG."""
     width, height = placed(picture.boxes, picture.links, picture.below)
     lines = [(20, height - 14 - 16 * (len(picture.below) - 1 - number), line) for number, line in enumerate(picture.below)]
-    what = {"title": picture.title, "boxes": picture.boxes, "links": picture.links, "below": lines}
+    symbols = sorted({box.symbol for box in picture.boxes if not box.is_board})
+    what = {"title": picture.title, "boxes": picture.boxes, "links": picture.links, "below": lines, "symbols": symbols}
+    what["about"] = _about(picture)
     return Gen().text("circuit/picture.svg.j2", width=width, height=height, **what)
 
 
 def svg(circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapping[str, Sequence[str]] | None = None) -> str:
     """The picture of a circuit as SVG; see `circuit_picture`."""
     return picture_svg(circuit_picture(circuit, findings, ports))
+
+
+def _about(picture: Picture) -> str:
+    wires = sum(link.wires for link in picture.links)
+    parts = ", ".join(box.title for box in picture.boxes)
+    return f"{parts}. {quantity(wires, 'signal wire')}; coloured tags tell the supply that a pin is on."
 
 
 class _Drawing:
@@ -94,6 +115,7 @@ class _Drawing:
         self.rows: dict[hardware.Connector, Place] = {}
         self.rails = rail_names(net for net in circuit.nets if net.rail)
         self.colours = net_colours(circuit.nets, self.rails)
+        self.reached = _pins_reached(circuit)
 
     def picture(self) -> Picture:
         loose: list[str] = []
@@ -108,6 +130,8 @@ class _Drawing:
             else:
                 loose.append(_name(component))
         self._link()
+        for row in (row for box in self.result.boxes for row in box.rows if not row.partners and not row.tag):
+            row.colour = _LOOSE
         if symbols:
             self._table_of_rails(symbols)
         if len(self.result.links) > MOST_LINES:
@@ -145,10 +169,9 @@ class _Drawing:
         self.result.boxes.append(box)
 
     def _box(self, component: hardware.Component, column: int, group: int) -> Box:
-        about = " · ".join(filter(None, (component.partTitle, component.role.name + (", driver" if component.driver else ""))))
-        values = [
-            p.value for p in component.properties if p.name in ("resistance", "capacitance", "voltage", "color") and p.value
-        ]
+        role = component.role.name + (", driver" if component.driver else "")
+        values = [p.value for p in component.properties if p.name in _TOLD and p.value]
+        about = component.family if values and component.family else component.partTitle  # "220 Ω Resistor" may be one of 1k
         found = self.marks.components.get(component, [])
         lines = [DrawnMark(line, mark.message, mark.colour) for mark in found[:_MARKS] for line in _mark_lines(mark)]
         if len(found) > _MARKS:
@@ -158,14 +181,19 @@ class _Drawing:
         box = Box(
             number,
             _name(component),
-            _short(" · ".join([about, *values[:1]]), 48),
+            _short(" · ".join(filter(None, [*values[:1], about])), 34) or role,
             _FILLS[component.role.name],
             column,
             group,
             marks=lines,
-            edge=lines[0].colour if lines else "#444",
+            about=" · ".join(filter(None, (component.partTitle, role))),
         )
-        for text, connectors in _groups(component):
+        if lines:
+            box.edge = lines[0].colour
+        box.symbol, box.paint = symbol_of(component)
+        groups = _groups(component)
+        plain = component.role is hardware.Role.Passive and len(groups) <= _ENDS
+        for text, connectors in groups:
             net = connectors[0].net
             row = PartRow(len(box.rows), _short(self._row_text(component, connectors[0], text), _ROW_LETTERS))
             for connector in connectors:
@@ -173,8 +201,14 @@ class _Drawing:
                 if (mark := self.marks.connectors.get(connector)) is not None:
                     row.mark_colour, row.mark_text = mark.colour, f"{mark.rule}: {mark.message}"
             if net is not None and net.rail:
-                row.tag, row.tag_colour = self.rails[id(net)], self.colours[id(net)]
+                row.tag, row.tag_colour, row.rail = self.rails[id(net)], self.colours[id(net)], True
+            if net is not None:
+                row.net, row.colour, row.plain = net.name, self.colours[id(net)], plain
+            if component.role is hardware.Role.Board:
+                row.pin, row.ports = connectors[0].pin, ", ".join(self.ports.get(connectors[0].pin, ()))
             box.rows.append(row)
+        if box.is_board and box.rows:
+            _set_outline(box, component, [connectors[0].pin or text for text, connectors in groups])
         return box
 
     def _row_text(self, component: hardware.Component, connector: hardware.Connector, text: str) -> str:
@@ -192,7 +226,12 @@ class _Drawing:
             ends.sort(key=lambda place: (boxes[place.box].column, place.box, place.row))
             for other in ends[1:]:
                 names = " - ".join(f"{boxes[end.box].title} {boxes[end.box].rows[end.row].text}" for end in (ends[0], other))
-                self.result.links.append(DrawnLink(ends[0], other, self.colours[id(net)], names))
+                pins = self.reached[id(net)]
+                ports = dict.fromkeys(port for pin in pins for port in self.ports.get(pin, ()))
+                link = DrawnLink(ends[0], other, self.colours[id(net)], names, 1, " ".join(pins), ", ".join(ports), net.name)
+                self.result.links.append(link)
+                for here, there in ((ends[0], other), (other, ends[0])):
+                    boxes[here.box].rows[here.row].partners.append(there)
 
     def _bundle(self) -> None:
         """Merge all links between two boxes into one line, and tag each row with what it is wired to."""
@@ -211,10 +250,49 @@ class _Drawing:
             row = boxes[box_number].rows[row_number]
             row.tag = _short(", ".join(dict.fromkeys(names)), _LETTERS) if not row.tag else row.tag
         self.result.links = [
-            DrawnLink(Place(one, HEAD), Place(other, HEAD), "#777777", "; ".join(link.text for link in links), len(links))
+            DrawnLink(
+                Place(one, HEAD), Place(other, HEAD), "#777777", "; ".join(link.text for link in links), len(links),
+                " ".join(dict.fromkeys(link.pins for link in links if link.pins)),
+                ", ".join(dict.fromkeys(link.ports for link in links if link.ports)),
+            )
             for (one, other), links in pairs.items()
             if one != other  # the rows' tags say it; the line would come back to where it begins
+        ]  # fmt: skip
+
+
+def _set_outline(box: Box, board: hardware.Component, names: Sequence[str]) -> None:
+    """Give the rows of a board their places at its outline, and add the pins that nothing is wired to."""
+    outline = outline_of(board)
+    if outline is None:
+        return
+    for row, place in zip(box.rows, places_at(outline, names), strict=True):
+        row.slot = place
+    taken = {row.slot for row in box.rows}
+    box.slots = max(len(outline.left), len(outline.right))
+    for side, pins in ((-1, outline.left), (1, outline.right)):
+        box.idle += [
+            IdlePin(plain_name(pin), side, number) for number, pin in enumerate(pins) if pin and (side, number) not in taken
         ]
+
+
+def _pins_reached(circuit: hardware.Circuit) -> dict[int, list[str]]:
+    """`id` of each net -> the pins of boards that it leads to, also through parts with two ends such as a resistor."""
+    pins = {id(net): list(dict.fromkeys(c.pin for c in net.connectors if c.pin)) for net in circuit.nets}
+    beyond: dict[int, list[hardware.Net]] = {}
+    for component in circuit.components:
+        nets = {id(c.net): c.net for c in component.connectors if c.net is not None}
+        if component.role is hardware.Role.Passive and len(nets) == _ENDS and not any(net.rail for net in nets.values()):
+            one, other = nets.values()
+            beyond.setdefault(id(one), []).append(other)
+            beyond.setdefault(id(other), []).append(one)
+    todo = deque(net for net in circuit.nets if pins[id(net)] and not net.rail)
+    while todo:
+        net = todo.popleft()
+        for other in beyond.get(id(net), ()):
+            if not pins[id(other)]:
+                pins[id(other)] = pins[id(net)]
+                todo.append(other)
+    return pins
 
 
 def _distances(components: Sequence[hardware.Component]) -> dict[hardware.Component, tuple[int, int]]:
@@ -254,7 +332,7 @@ def _signals(component: hardware.Component) -> list[hardware.Net]:
     return [c.net for c in component.connectors if c.net is not None and not c.net.rail]
 
 
-def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardware.Connector]]]:
+def _groups(component: hardware.Component) -> list[tuple[str, Sequence[hardware.Connector]]]:
     """The connected connectors of a component, grouped by name and net; a board's pins first, in their order."""
     found: dict[tuple[str, int], list[hardware.Connector]] = {}
     pins = [c for connectors in pins_of(component).values() for c in connectors]
@@ -286,8 +364,9 @@ def _short(text: str, letters: int = _LETTERS) -> str:
     return line if len(line) <= letters else line[: letters - 1] + "…"
 
 
-_KNOWN = {"GND": "#333333", "5V": "#c0392b", "3.3V": "#d35400"}
+_KNOWN = {"GND": "#111111", "5V": "#c62828", "3.3V": "#d35400"}
 _LABEL_LETTERS = 18
+_FIRST_HUE, _LAST_HUE = 45, 330  # degrees; without red and orange, which are the supplies' alone
 _TURN = 137.508  # degrees; colours that follow one another are far apart
 
 
@@ -337,8 +416,9 @@ def _colours() -> Iterator[str]:
     """An endless sequence of colours with contrast to white; after some thousands they repeat in a lighter shade."""
     number = 0
     while True:
-        level = 0.30 + 0.04 * (number // 40 % 4) + 0.001 * (number // 160 % 50)
-        red, green, blue = colorsys.hls_to_rgb((number * _TURN % 360) / 360, level, 0.75)
+        level = 0.25 + 0.05 * (number % 3) + 0.01 * (number // 40 % 4) + 0.001 * (number // 160 % 50)
+        hue = _FIRST_HUE + (number * _TURN % 360) / 360 * (_LAST_HUE - _FIRST_HUE)
+        red, green, blue = colorsys.hls_to_rgb(hue / 360, level, 0.75)
         yield f"#{round(red * 255):02x}{round(green * 255):02x}{round(blue * 255):02x}"
         number += 1
 
