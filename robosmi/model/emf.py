@@ -81,7 +81,9 @@ class EmfModel(TypedModel):
         lenient: bool = True,
         open_files: OpenFiles | None = None,
     ) -> EmfModel:
-        """Read an XMI file, or one in JSON (`.json`); what it refers to in other files is read with it and belongs to models of their own.
+        """Read an XMI file, or one in JSON (`.json`).
+
+        What it refers to in other files is read with it, and belongs to models of their own.
 
         Args:
             path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
