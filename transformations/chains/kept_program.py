@@ -72,6 +72,6 @@ def kept_program(
     different = facts.move_to(move.target.chip, move.target.architecture)
     mappings = list(own.boardMappings) if own is not None else []
     clock_hz = int(source_board.facts.board_model.clockHertz)
-    sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz)
+    sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz, facts.kinds)
     dependence, left = keep_platform(sketch, trace)
     return KeptProgram(move, (dependence, trace), left)

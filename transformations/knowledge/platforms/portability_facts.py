@@ -38,6 +38,7 @@ class PlaceKind(Struct, frozen=True, forbid_unknown_fields=True):
     registers: str = ""
     alike: str = ""
     cure: str = "none"
+    when: str = "analyse"
 
 
 class Chip(Struct, frozen=True):

@@ -14,11 +14,11 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constants.holder_uses import Holder, HolderUses
 from robosmi.transformations.queries.constants.ranges import Range, Ranges
-from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.expression_type import FunctionType, of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number, Numbers
 
-Holder = ccode.Variable | ccode.Parameter | ccode.Field
 _GROWING = frozenset(["+", "-", "*", "<<"])
 _CLOSED = _GROWING | {"&", "|", "^"}
 """Operators whose result modulo a power of two depends only on the operands modulo that power."""
@@ -39,6 +39,7 @@ class WrappedValues:
     def __init__(self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]]) -> None:
         self.views, self.here, self.there, self._results = views, here, there, results
         self._wrapping: set[int] = set()
+        self.uses = HolderUses(views)
         self._ranges = self._made()
         for _ in range(_ROUNDS):  # what takes the value of a variable that wraps may wrap as well
             found = {id(each) for each in self._holders if self._leaves(each)}
@@ -57,7 +58,7 @@ class WrappedValues:
         macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
         values = self.views[0].values
         numbers = Numbers(self.here, functions, {}, macros, self._aliases)
-        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping)
+        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping, self.uses)
 
     @cached_property
     def _aliases(self) -> dict[str, str]:
@@ -72,22 +73,30 @@ class WrappedValues:
 
     @cached_property
     def _holders(self) -> list[Holder]:
-        """The variables and parameters of the type int, signed or not, arrays of it included."""
+        """What is of the type int, signed or not, an array of it, or a pointer or reference to it."""
         every: list[Holder] = []
         for view in self.views:
-            every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter)]
+            every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter), *view.of_kind(ccode.Field)]
         return [each for each in every if self.is_int(each.valueType)]
 
     def is_int(self, use: ccode.TypeUse | None) -> bool:
-        """Whether a type is int or unsigned int, whose width differs, or an array of it."""
-        number = self._ranges.numbers.declared(use) if use is not None and not use.pointerDepth else None
-        if number is None or number.real or number.fixed or "&" in str(use.spelling if use is not None else ""):
+        """Whether a type is int or unsigned int, whose width differs, an array of it, or a pointer or reference to it."""
+        number, kind = self._number_in(use), of_use(use)
+        if number is None or number.real or number.fixed or kind is None or kind.function:
             return False
-        return number.bits == self.here.int_bits and not str(use.spelling if use is not None else "").endswith("_t")
+        return number.bits == self.here.int_bits and not kind.base.endswith("_t")
+
+    def _number_in(self, use: ccode.TypeUse | None) -> Number | None:
+        """The type of the numbers that a variable has, or points or refers to."""
+        kind = of_use(use)
+        if kind is None or kind.depth - kind.dimensions > (not kind.dimensions):
+            return None
+        base = kind.base.replace("&", "").strip()
+        return self.here.number(self._aliases.get(base, base))
 
     @property
     def variables(self) -> list[Holder]:
-        """The variables and parameters that may leave 16 bits, in text order."""
+        """The variables, parameters and members that may leave 16 bits, or whose numbers may, in text order."""
         return [each for each in self._holders if id(each) in self._wrapping]
 
     def wraps(self, holder: Element | None) -> bool:
@@ -105,20 +114,19 @@ class WrappedValues:
     # ---- variables
 
     def _leaves(self, holder: Holder) -> bool:
-        use = holder.valueType
-        number = self._ranges.numbers.declared(use)
+        number, points = self._number_in(holder.valueType), _points(holder)
         if number is None:
             return False
-        given: list[ccode.Expression | None] = [holder.initializer] if isinstance(holder, ccode.Variable) else []
-        given = list(given[0].elements) if given and isinstance(given[0], ccode.InitializerList) else given
-        for reference in holder.references:
-            written = _written(reference)
+        first = None if points or isinstance(holder, ccode.Parameter) else holder.initializer
+        given: list[ccode.Expression | None] = list(first.elements) if isinstance(first, ccode.InitializerList) else [first]
+        for reference in self.uses.of(holder):
+            written = _written(reference, within=points)
             if written is None:
                 continue
             if isinstance(written, ccode.Assignment) and written.operator == "=":
                 given.append(written.right)
                 if (
-                    _mentions(written.right, holder)
+                    self._mentions(written.right, holder)
                     and self._grows_by(written.right, holder)
                     and not self._bounded(written, holder)
                 ):
@@ -150,7 +158,7 @@ class WrappedValues:
             return self._compared(loop.condition, holder)
         if self._few_rounds(written, holder):
             return True
-        for reference in holder.references:
+        for reference in self.uses.of(holder):
             comparison = reference.eContainer()
             if not isinstance(comparison, ccode.Binary) or comparison.operator not in COMPARISONS:
                 continue
@@ -162,7 +170,7 @@ class WrappedValues:
             inside = {id(each) for each in all_contents(decided)}
             sets = (
                 r
-                for r in holder.references
+                for r in self.uses.of(holder)
                 if id(r) in inside and isinstance(w := _written(r), ccode.Assignment) and w.operator == "="
             )
             if id(written) in inside or any(True for _ in sets):
@@ -175,10 +183,10 @@ class WrappedValues:
             return self._compared(condition.left, holder) or self._compared(condition.right, holder)
         if not isinstance(condition, ccode.Binary) or condition.operator not in COMPARISONS:
             return False
-        number = self._ranges.numbers.declared(holder.valueType)
+        number = self._number_in(holder.valueType)
         sides = (condition.left, condition.right)
         for own, other in (sides, sides[::-1]):
-            if isinstance(own, ccode.NameReference) and own.target is holder and number is not None:
+            if any(each is holder for each in self.uses.holders(own)) and number is not None:
                 found = self._ranges.of(other)
                 return found is None or found.within(number.least, number.most)
         return False
@@ -261,45 +269,55 @@ class WrappedValues:
         if isinstance(outer, ccode.Unary) and outer.operator in ("-", "~", "+"):
             return False
         if isinstance(outer, ccode.Assignment) and outer.right is expression:
-            return not self._cuts(_target(outer.left), outer.left)
+            targets = self.uses.holders(_object(outer.left))
+            return not targets or not all(map(self._cuts, targets))
         if isinstance(outer, ccode.Variable):
-            return not self._cuts(outer, None)
+            return not self._cuts(outer)
         if isinstance(outer, ccode.Cast):
             to = self.there.number(str(outer.target.spelling)) if outer.target is not None else None
             return to is None or to.real or to.bits > number.bits
         return not isinstance(outer, (ccode.ExpressionStatement, ccode.For))
 
-    def _cuts(self, holder: Element | None, place: ccode.Expression | None) -> bool:
-        """Whether what is stored in a place is cut to 16 bits there, on the target as well."""
-        if isinstance(holder, (ccode.Variable, ccode.Parameter, ccode.Field)):
-            if self.wraps(holder):
-                return True
-            kind = self._ranges.numbers.declared(holder.valueType)
-            return kind is not None and not kind.real and kind.fixed and kind.bits <= self.here.int_bits
-        return False
+    def _cuts(self, holder: Holder) -> bool:
+        """Whether what is stored in a variable is cut to 16 bits there, on the target as well."""
+        if self.wraps(holder):
+            return True
+        kind = self._number_in(holder.valueType)
+        return kind is not None and not kind.real and kind.fixed and kind.bits <= self.here.int_bits
+
+    def _mentions(self, expression: ccode.Expression | None, holder: Holder) -> bool:
+        inside = [expression, *all_contents(expression)] if expression is not None else []
+        return any(holder is found for each in inside for found in self.uses.holders(each))
 
 
-def _target(place: ccode.Expression | None) -> Element | None:
-    """The variable that a place is, or is an element of."""
-    while isinstance(place, ccode.Index):
-        place = place.array
-    return place.target if isinstance(place, ccode.NameReference) else None
+def _object(place: ccode.Expression | None) -> ccode.Expression | None:
+    """The expression for the variable that a place is, is an element of, or is what it points to."""
+    while isinstance(place, ccode.Index) or (isinstance(place, ccode.Unary) and place.operator == "*"):
+        place = place.array if isinstance(place, ccode.Index) else place.operand
+    return place
 
 
-def _written(reference: ccode.NameReference) -> ccode.Assignment | ccode.Unary | None:
-    """The assignment or step by which a name, or an element of the array that it names, is written; None where it is read."""
+def _points(holder: Holder) -> bool:
+    """Whether a variable is a pointer, so that its numbers are where it points."""
+    return holder.valueType is not None and bool(holder.valueType.pointerDepth)
+
+
+def _written(reference: Element, *, within: bool = False) -> ccode.Assignment | ccode.Unary | None:
+    """The assignment or step by which a name, an element, or what a pointer points to is written; None where it is read.
+
+    Args:
+        reference: the name.
+        within: whether it is a pointer, and only what it points to counts.
+    """
     at: Element = reference
     outer = at.eContainer()
-    while isinstance(outer, ccode.Index) and outer.array is at:
+    while (isinstance(outer, ccode.Index) and outer.array is at) or (isinstance(outer, ccode.Unary) and outer.operator == "*"):
         at, outer = outer, outer.eContainer()
+    if within and at is reference:
+        return None
     if isinstance(outer, ccode.Assignment) and outer.left is at:
         return outer
     return outer if isinstance(outer, ccode.Unary) and outer.operator in ("++", "--") else None
-
-
-def _mentions(expression: ccode.Expression | None, holder: Holder) -> bool:
-    inside = [expression, *all_contents(expression)] if expression is not None else []
-    return any(isinstance(each, ccode.NameReference) and each.target is holder for each in inside)
 
 
 def _decided_by(comparison: ccode.Binary) -> ccode.Statement | ccode.ConditionalExpression | None:
