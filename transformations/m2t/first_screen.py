@@ -15,7 +15,7 @@ from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_calls
+from robosmi.transformations.queries.plans.kept_pins import ignores_unwired, keeps_platform, kept_calls
 from robosmi.transformations.queries.plans.plan import called
 from robosmi.transformations.queries.plans.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
@@ -237,7 +237,8 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
     said += ["libraries under [libraries] (or --library COMPONENT=LIBRARY)"] * libraries
     none = "not connected" if not libraries else "no library" if not ports else "not connected or no library"
     drawing = " With a drawing or a pin table (--hardware), RoboSMi proposes pins." * (plan.circuit is None and ports)
-    silent = " Until a port has a pin, its calls do nothing." * (ports and bool(plan.portFlows))
+    waits = "do nothing" if ignores_unwired(plan) else "change any register: do not run the sketch"
+    silent = f" Until a port has a pin, its calls {waits}." * (ports and bool(plan.portFlows))
     typed = f'Write into robosmi.toml next to the program: {" and ".join(said)}; "none" means {none}.'
     return f"{typed} Then migrate again.{silent}{drawing}"
 
