@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.returned_values import returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
+from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
@@ -65,9 +66,12 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             reason = f"'{each.name}' may leave the {bits} bits that an int has on its own board, and wraps there"
             yield SketchEdit(each, "int-wraps", reason, words)
         yield from _cured_times(sketch, values, holder)
+    formats = list(format_widths(sketch, values))
+    yield from formats
+    cut_there = {id(each.element) for each in formats if isinstance(each, SketchEdit)}
     for view in sketch.views:
         for expression, number in values.exceeding(view):
-            if not is_written(view, expression):
+            if not is_written(view, expression) or id(expression) in cut_there:
                 continue
             cut = f"{'' if number.signed else 'u'}int{bits}_t"
             start, end = int(expression.startOffset), int(expression.endOffset)

@@ -52,7 +52,9 @@ def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[P
     for edit in edits:
         _rewrite(edit, judged, made.dispositions)
     trace.take(judged.trace)
-    return made, [*_left(sketch, edits), *(each for each in found if isinstance(each, PortabilityPlace))]
+    left = [*_left(sketch, edits), *(each for each in found if isinstance(each, PortabilityPlace))]
+    order = {str(view.unit.path): number for number, view in enumerate(views)}
+    return made, sorted(left, key=lambda place: (order.get(place.path, 0), place.line))
 
 
 def _dispositions(code: ProgramModel, views: Sequence[CodeView]) -> ETL:

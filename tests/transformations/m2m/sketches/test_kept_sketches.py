@@ -24,8 +24,14 @@ def test_a_sketch_keeps_what_it_does(case: str, tmp_path: Path) -> None:
     assert text == (expected if expected.is_file() else sketch).read_text()
 
 
-@pytest.mark.parametrize(("case", "lines"), [("kept_ints", [2, 3, 4]), ("linked_ints", [])])
-def test_a_variable_that_wraps_and_has_to_keep_its_type_is_told(case: str, lines: list[int], tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("case", "lines"),
+    [
+        ("kept_ints", [2, 3, 4]), ("linked_ints", []), ("formats", [18, 19, 20]), ("fan", []), ("fan_two", [9]),
+        ("dim_stored", [2, 5, 10, 11]),
+    ],
+)  # fmt: skip
+def test_what_no_rule_changes_is_a_task_at_its_line(case: str, lines: list[int], tmp_path: Path) -> None:
     sketch = CASES / case / case / f"{case}.ino"
     outcome = run("migrate", sketch, "--from", "uno", "--target", "pico", "-o", tmp_path, "--yes", "--json")
     tasks = [task for task in outcome.document["tasks"] if task["rule"] == "RS346"]

@@ -169,6 +169,15 @@ def test_ports_of_a_sketch_are_not_proposed_on_pins_of_its_serial_ports(tmp_path
     assert not {"GP0", "GP1"} & set(pins(outcome).values())
 
 
+def test_a_converter_with_more_steps_gets_the_full_scale_of_the_old_board(tmp_path: Path) -> None:
+    outcome = migrated("esp32", tmp_path, target="esp32")
+    assert changed(tmp_path, "esp32") == {4: "void setup() { analogReadResolution(10);"}
+    told = {task["location"]["line"]: task["message"] for task in tasks(outcome, "RS346") if "unsuitable" in task["message"]}
+    assert set(told) == {1, 2}
+    assert "ESP32Servo" in told[1]
+    assert "FS_EspSoftwareSerial" in told[2]
+
+
 def test_headers_that_nobody_has_stop_nothing(tmp_path: Path) -> None:
     outcome = migrated("libraries", tmp_path, "--bind", "D2=GP16", "--bind", "horn=GP4")
     assert outcome.code in (0, 1)
