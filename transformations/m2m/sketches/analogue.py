@@ -22,9 +22,15 @@ _VOLTS = frozenset([5, 50, 500, 5000])
 
 def analogue(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     """The edits, and the places."""
-    if sketch.move.source.architecture == sketch.move.target.architecture:
-        return
+    source, target = sketch.move.source, sketch.move.target
     called = [(view, call) for view in sketch.views for call in view.of_kind(ccode.Call)]
+    if source.architecture == target.architecture:
+        if source.chip != target.chip:  # the internal reference has another name, or other volts
+            for _, call in called:
+                chosen = next(iter(call.arguments), None) if call.calleeName == REFERENCE else None
+                if isinstance(chosen, ccode.NameReference) and str(chosen.name).startswith("INTERNAL"):
+                    yield sketch.place("analog_reference", call, REFERENCE)
+        return
     named = {name: [(v, c) for v, c in called if c.calleeName == name] for name in (READ, WRITE, REFERENCE)}
     added: list[tuple[str, str]] = []
     if named[READ] and sketch.facts.read_bits:

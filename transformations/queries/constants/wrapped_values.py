@@ -104,8 +104,15 @@ class WrappedValues:
         return id(holder) in self._wrapping
 
     def number(self, expression: ccode.Expression | None) -> Number | None:
-        """The type of an expression on the source."""
-        return self._ranges.numbers.of(expression)
+        """The type of an expression on the source; int where functions of the platform are combined whose results are known."""
+        found = self._ranges.numbers.of(expression)
+        return self.here.integer if found is None and self._of_results(expression) else found
+
+    def _of_results(self, expression: ccode.Expression | None) -> bool:
+        if isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
+            of_right = expression.operator == "<<" or self._of_results(expression.right)
+            return of_right and self._of_results(expression.left)
+        return isinstance(expression, ccode.Call) and str(expression.calleeName) in self._results
 
     def range_of(self, expression: ccode.Expression | None) -> Range | None:
         """The range of an expression if nothing wraps within it."""
@@ -147,9 +154,18 @@ class WrappedValues:
         """Whether an assigned value is the old one with something added, so that no range tells where it ends."""
         if self._ranges.of(value) is not None and not self.wraps(holder):
             return False
+        return self._grows(value, holder)
+
+    def _grows(self, value: ccode.Expression | None, holder: Holder) -> bool:
         while isinstance(value, (ccode.Cast, ccode.Unary)):
             value = value.operand
-        return isinstance(value, ccode.Binary) and value.operator in _GROWING
+        if isinstance(value, ccode.ConditionalExpression):
+            ways = (value.whenTrue, value.whenFalse)
+        elif isinstance(value, ccode.Binary) and value.operator in ("|", "^"):
+            ways = (value.left, value.right)
+        else:
+            return isinstance(value, ccode.Binary) and value.operator in _GROWING
+        return any(self._mentions(each, holder) and self._grows(each, holder) for each in ways)
 
     def _bounded(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
         """Whether a loop of known length bounds a step, or a comparison that guards it or sets the variable."""
@@ -236,7 +252,7 @@ class WrappedValues:
     def exceeding(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
         """The expressions of a unit that wrap on the source where their value is looked at, with their types there."""
         for expression in view.elements:
-            if not isinstance(expression, (ccode.Binary, ccode.Unary)):
+            if not isinstance(expression, (ccode.Binary, ccode.Unary, ccode.Cast)):
                 continue
             number = self.number(expression)
             if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
@@ -246,6 +262,8 @@ class WrappedValues:
 
     def exceeds(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether a result may have bits beyond its type on the source."""
+        if isinstance(expression, ccode.Cast):
+            return self._cut_off(expression, number)
         if isinstance(expression, ccode.Unary) and expression.operator in ("-", "~", "+"):
             operands = [expression.operand]
         elif isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
@@ -255,9 +273,24 @@ class WrappedValues:
         found = self._ranges.of(expression)
         if found is not None:
             return not found.within(number.least, number.most)
+        if isinstance(expression, ccode.Binary) and expression.operator == "<<" and self._joins(expression, number):
+            return True
         return any(
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
         )
+
+    def _cut_off(self, cast: ccode.Cast, number: Number) -> bool:
+        """Whether a cast to int cuts a wider value that is not known to fit."""
+        inner, found = self.number(cast.operand), self._ranges.of(cast.operand)
+        wider = inner is not None and not inner.real and inner.bits > number.bits
+        return wider and (found is None or not found.within(number.least, number.most))
+
+    def _joins(self, shift: ccode.Binary, number: Number) -> bool:
+        """Whether a value is shifted by half an int or more and out of it, as when two bytes are joined, or nobody knows it."""
+        by, value = self._ranges.of(shift.right), self._ranges.of(shift.left)
+        if by is None or not self.here.int_bits // 2 <= by.low < self.here.int_bits:
+            return False
+        return value is None or value.high << by.low > number.most
 
     def _looked_at(self, expression: ccode.Expression, number: Number) -> bool:
         """Whether the context of an expression depends on bits beyond its type on the source."""
