@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from robosmi.metamodels import platform
+from robosmi.metamodels import ccode, platform
 from robosmi.transform import Trace
 from robosmi.transformations.chains.source_board import SourceBoard
 from robosmi.transformations.chains.stages.program import StoredProgram
@@ -17,6 +17,7 @@ from robosmi.transformations.knowledge.platforms.portability_facts import portab
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard
+from robosmi.transformations.queries.plans.bus_pins import taken_by_buses
 
 if TYPE_CHECKING:
     from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
@@ -47,8 +48,8 @@ def new_board(
         return None
     headers = {str(include.header) for view in program.views for include in view.unit.includes}
     settings = api.settings.get("ports", {})
-    names = {name for header, taken in settings.get("buses", {}).items() if header in headers for name in taken}
-    labels = {str(pin.label) for pin in board.pins if names.intersection((pin.label, *pin.aliases))}
+    names = {str(each.name) for view in program.views for each in view.of_kind(ccode.NameReference)}
+    labels = {*taken_by_buses(board, settings, headers, names).values()}
     return NewBoard(board, pins, api.board, source_board.facts.board_model, settings.get("abilities", {}), labels)
 
 
@@ -72,6 +73,6 @@ def kept_program(
     different = facts.move_to(move.target.chip, move.target.architecture)
     mappings = list(own.boardMappings) if own is not None else []
     clock_hz = int(source_board.facts.board_model.clockHertz)
-    sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz)
+    sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz, facts.kinds)
     dependence, left = keep_platform(sketch, trace)
     return KeptProgram(move, (dependence, trace), left)

@@ -29,7 +29,7 @@ from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import FOLDER, MigrationModels, stored_models
 from robosmi.transformations.m2t import page_code, page_sections
-from robosmi.transformations.m2t.first_screen import Counted
+from robosmi.transformations.m2t.first_screen import Counted, works
 from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.plans.choices import choices
@@ -221,7 +221,7 @@ class PlanPage:
         left, total, work = len(open_choices(plan)), len(choices(plan)), Work(plan)
         calls = work.calls["total"]
         made = f"{total - left} of {total} decided, {left} open" if total else "No choices"
-        ready = f"{work.working} of {calls} calls are ready" if calls else "the program calls no platform function"
+        ready = f"{work.working} of {calls} calls are ready" if calls else works(plan, work)
         self.facts = {
             "title": f"{plan.name}: moved to {plan.board.title if plan.board is not None else 'its target'}",
             "open": left, "decided": total - left,

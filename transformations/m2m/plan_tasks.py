@@ -14,6 +14,7 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.model.elements.strict import enum_literal
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.m2m.adapters.adapter_choice import NO_ADAPTER, settle_libraries, settle_use
 from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.choices.plan_checks import plan_checks
@@ -23,7 +24,7 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
-from robosmi.transformations.queries.plans.kept_pins import lost_pin_calls, proposed
+from robosmi.transformations.queries.plans.kept_pins import UNWIRED, ignores_unwired, lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, bound_pin, source_name
@@ -214,6 +215,7 @@ def _undefined(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
+    waits = "do nothing" if ignores_unwired(plan) else "change any register: do not run the sketch"
     for binding in plan.portBindings:
         if not binding.open:
             continue
@@ -228,7 +230,7 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
             severity=Level.warning if options else Level.info,
             message=f"choose the target pin of port '{binding.name}'{pin}{what}"
             + (f"; candidates: {', '.join(options)}" if options else "; no part in the drawing fits")
-            + ("; until then its calls do nothing" if plan.portFlows else ""),
+            + (f"; until then its calls {waits}" if plan.portFlows else ""),
             effort="small",
             fix=f'--bind {key}=PIN, or [bind] {key} = "PIN" in robosmi.toml'
             + (f" ({NOT_WIRED}: not wired)" if plan.portFlows else ""),
@@ -357,6 +359,31 @@ def _different(plan: migration.MigrationPlan) -> Iterator[Task]:
             )  # fmt: skip
 
 
+def _unwired(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Tasks for the calls that give the number of a port without a pin to a core that does not check it."""
+    if ignores_unwired(plan):
+        return
+    assert plan.source is not None
+    facts = portability_facts(str(plan.source.name))
+    assert facts is not None
+    title, done = str(plan.board.title) if plan.board is not None else "", set[tuple[str, int]]()
+    for binding in plan.portBindings:
+        if bound_pin(binding) is not None:
+            continue
+        calls: list[ccode.Located] = [call for flow in plan.portFlows if binding in flow.bindings for call in flow.calls]
+        for place in calls or [e for e in (binding.element,) if e is not None]:
+            where = _place(place)
+            at = (str(where.get("path", "")), int(place.line))
+            if at in done:
+                continue
+            done.add(at)
+            what = facts.kinds[UNWIRED].what.format(name=f"'{binding.name}'", target=title)
+            yield Task(
+                rule=DIFFERS, severity=Level.warning, effort="small", message=f"adapt it to the board: {UNWIRED}: {what}",
+                fix="bind the port to a pin, or remove the call", elements=[binding], **where,  # type: ignore[arg-type]
+            )  # fmt: skip
+
+
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Tasks for drawn components that no port is bound to, and for bound ports that no called function uses."""
     for binding in plan.portBindings:
@@ -388,5 +415,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
     _unparsed, _adapters, _symbols, _undefined, _bindings, _proposed, _libraries, _unsupported, _assembler, _pins, _different,
-    _unused,
+    _unwired, _unused,
 )  # fmt: skip

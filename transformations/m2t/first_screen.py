@@ -15,10 +15,11 @@ from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_calls
+from robosmi.transformations.queries.plans.kept_pins import ignores_unwired, keeps_platform, kept_calls
 from robosmi.transformations.queries.plans.plan import called
 from robosmi.transformations.queries.plans.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
+from robosmi.transformations.queries.portability.analysed_program import DIFFERS
 from robosmi.transformations.queries.reports.board_needs import BoardNeeds, board_needs, needs_in_words, shortages
 from robosmi.transformations.queries.reports.work import Work
 
@@ -167,7 +168,9 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
     if keeps_platform(plan):
         count = kept_calls(plan)
         said = f"{count} calls of the platform stay as they are" if count != 1 else "1 call of the platform stays as it is"
-        return f"{said}; {lost}" if work.unread else said
+        left = sum(not task.done for task in plan.tasks if task.rule == DIFFERS)
+        differ = f"{quantity(left, 'place')} behave{'s' * (left == 1)} differently, see Write"
+        return "; ".join([said, *[differ] * bool(left), *[lost] * bool(work.unread)])
     if not calls["total"]:
         return lost if work.unread else "the program calls no platform function"
     parts = [
@@ -234,7 +237,8 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
     said += ["libraries under [libraries] (or --library COMPONENT=LIBRARY)"] * libraries
     none = "not connected" if not libraries else "no library" if not ports else "not connected or no library"
     drawing = " With a drawing or a pin table (--hardware), RoboSMi proposes pins." * (plan.circuit is None and ports)
-    silent = " Until a port has a pin, its calls do nothing." * (ports and bool(plan.portFlows))
+    waits = "do nothing" if ignores_unwired(plan) else "change any register: do not run the sketch"
+    silent = f" Until a port has a pin, its calls {waits}." * (ports and bool(plan.portFlows))
     typed = f'Write into robosmi.toml next to the program: {" and ".join(said)}; "none" means {none}.'
     return f"{typed} Then migrate again.{silent}{drawing}"
 

@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
+from robosmi.transformations.queries.plans.bus_pins import bus_pins
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
@@ -58,6 +59,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         ],
         "in_tasks": any(_is_task(finding, tasks) for finding in plan.findings),
         "wiring": [_wire(c, plan) for c in plan.connections],
+        "buses": bus_pins(plan),
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),
         "kept": _kept_numbers(plan),

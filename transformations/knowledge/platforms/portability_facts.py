@@ -38,6 +38,7 @@ class PlaceKind(Struct, frozen=True, forbid_unknown_fields=True):
     registers: str = ""
     alike: str = ""
     cure: str = "none"
+    when: str = "analyse"
 
 
 class Chip(Struct, frozen=True):
@@ -63,6 +64,10 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
         tick: the statement by which a function is called again and again from an interrupt; {function}, {us} and {timer} are
             filled in.
         tick_header: the header that declares what it takes.
+        read_bits: the call by which analogRead gets the full scale of the source boards.
+        pwm_frequency: the call by which analogWrite gets a frequency; {hz} is filled in.
+        pwm_clocks: timer of a source board -> clocks of a period of its PWM; `*` stands for all others.
+        supply_volts: the full scale of the converter, where it is not that of the source boards.
     """
 
     same: Mapping[str, str] = {}
@@ -76,6 +81,10 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
     watchdog: tuple[str, str] | None = None
     tick: str = ""
     tick_header: str = ""
+    read_bits: str = ""
+    pwm_frequency: str = ""
+    pwm_clocks: Mapping[str, int] = {}
+    supply_volts: float = 0
 
 
 class PortabilityFacts(Struct, frozen=True):

@@ -11,8 +11,9 @@ from collections.abc import Iterable
 
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.elements.strict import Element
-from robosmi.query import ancestor_of_kind
+from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.circuits.connector_names import wire_name
+from robosmi.transformations.queries.plans.bus_pins import USB, BusPin, bus_pins
 from robosmi.transformations.queries.plans.plan_adapters import port_calls, setup_statements
 from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
 from robosmi.transformations.queries.ports.idle_ports import is_idle
@@ -20,6 +21,10 @@ from robosmi.transformations.queries.ports.idle_ports import is_idle
 RULE = "RS340"
 """The id of the rule under which checks are reported."""
 _CONSOLE = re.compile(r"Serial\.begin\((\d+)\)")
+_RECEIVES = frozenset(
+    ["available", "read", "readBytes", "readBytesUntil", "readString", "readStringUntil", "parseInt", "parseFloat"]
+)
+"""Methods of serial ports that receive."""
 _MOST = 4
 """Limit on the functions that a check names."""
 _OTHERWISE = ("check that it responds to {}", platform.Direction.unknown)
@@ -36,7 +41,7 @@ def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
     Args:
         plan: the plan, complete but for its checks; those that were there are not looked at.
     """
-    return [*_console(plan), *_components(plan), *_bare_pins(plan)]
+    return [*_console(plan), *_buses(plan), *_components(plan), *_bare_pins(plan)]
 
 
 def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
@@ -52,6 +57,37 @@ def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 def _bauds(plan: migration.MigrationPlan) -> list[str]:
     """The baud rates at which the program opens its console in setup."""
     return [found[1] for statement in setup_statements(plan) if (found := _CONSOLE.search(statement))]
+
+
+def _buses(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
+    """One check for each bus some of whose pins are others on the target; a console that only prints is no wire."""
+    moved: dict[str, list[BusPin]] = {}
+    heard = _read_ports(plan)
+    for pin in bus_pins(plan):
+        if pin.old != pin.new and (pin.new != USB or pin.bus in heard):
+            moved.setdefault(pin.bus, []).append(pin)
+    for bus, pins in moved.items():
+        lost = [pin for pin in pins if pin.new in ("", USB)]
+        wires = ", ".join(f"{pin.signal} from {pin.old} to {pin.new or 'no known pin'}" for pin in pins)
+        message = f"move the wires of {bus}: {wires}"
+        if lost:
+            message = f"{bus} was on {', '.join(pin.old for pin in lost)}, and {'is USB' if lost[0].new else 'has no known pins'}"
+            message += " on the target: a part that is wired there needs another serial port"
+        yield migration.PlanTask(rule=RULE, severity=migration.SeverityLevel.info, message=message)
+
+
+def _read_ports(plan: migration.MigrationPlan) -> set[str]:
+    """The objects whose methods that receive are called."""
+    members = (call.calleeExpression for unit in _units(plan) for call in all_of_kind(unit, ccode.Call))
+    return {
+        str(member.object.name)
+        for member in members
+        if isinstance(member, ccode.Member) and isinstance(member.object, ccode.NameReference) and member.name in _RECEIVES
+    }
+
+
+def _units(plan: migration.MigrationPlan) -> list[ccode.SourceUnit]:
+    return list(plan.program.units) if plan.program is not None else []
 
 
 def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:

@@ -1,7 +1,8 @@
 """Numbers wrap around as on a board whose int is narrower: the types of variables and casts keep the width that they had there.
 
 Only what may leave that width is changed (`WrappedValues`): a variable gets a type of its width on the source, and a result that
-is looked at is cut to it. A variable whose address is taken as that of an int keeps its type, and stays a task.
+is looked at is cut to it. What points or refers to a variable changes with it (`linked_types`). A variable that a function of a
+library takes as an int keeps its type, and is a task.
 
 Also: variables of type char that take negative values, where char has no sign on the target.
 """
@@ -9,20 +10,25 @@ Also: variables of type char that take negative values, where char has no sign o
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.returned_values import returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
+from robosmi.transformations.m2m.sketches.format_widths import format_widths
+from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constants.holder_uses import Holder
 from robosmi.transformations.queries.constants.negative_chars import negative_chars
-from robosmi.transformations.queries.constants.wrapped_values import Holder, WrappedValues
+from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
+from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.width_types import retyped_words
 
-TIME = "int_time"
+TIME, KEPT, KEPT_CHAR = "int_time", "int_kept", "char_kept"
 _TYPE = re.compile(
     rb"(?:\s*\b(?:static|const|volatile|register|extern|inline|constexpr|unsigned|signed|int|char|double|PROGMEM)\b)+"
 )
@@ -38,17 +44,19 @@ def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
     return WrappedValues(sketch.views, own, other, returned_values(sketch.views[0].api.name))
 
 
-def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit]:
-    """The edits of types of variables, and the casts of results."""
+def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
+    """The edits of types of variables, and the casts of results; the variables that have to keep their type."""
     values = wrapped_values(sketch)
     if values is None:
         return
     bits, done = sketch.move.source.int_bits, set[tuple[str, int]]()
+    links = TypeLinks(sketch.views, values.uses, lambda each: _written_at(sketch, each, bits))
     for holder in values.variables:
-        group = declarations(sketch.views, holder)
-        if not all(is_free(each) for each in group):
+        group = links.of(holder)
+        if group.obstacle is not None:
+            yield sketch.place(KEPT, holder, str(holder.name))
             continue
-        for each in group:
+        for each in group.declarations:
             words = retyped_here(sketch, each, bits)
             unit = unit_of(each)
             place = (str(unit.path), words[0].start) if words and unit is not None else None
@@ -57,10 +65,13 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit]:
             done.add(place)
             reason = f"'{each.name}' may leave the {bits} bits that an int has on its own board, and wraps there"
             yield SketchEdit(each, "int-wraps", reason, words)
-        yield from _cured_times(sketch, holder)
+        yield from _cured_times(sketch, values, holder)
+    formats = list(format_widths(sketch, values))
+    yield from formats
+    cut_there = {id(each.element) for each in formats if isinstance(each, SketchEdit)}
     for view in sketch.views:
         for expression, number in values.exceeding(view):
-            if not is_written(view, expression):
+            if not is_written(view, expression) or id(expression) in cut_there:
                 continue
             cut = f"{'' if number.signed else 'u'}int{bits}_t"
             start, end = int(expression.startOffset), int(expression.endOffset)
@@ -68,22 +79,38 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit]:
             yield SketchEdit(expression, "int-cut", reason, (inserted(start, f"({cut})("), inserted(end, ")")))
 
 
-def _cured_times(sketch: MovedSketch, holder: Holder) -> Iterator[SketchEdit]:
+def _written_at(sketch: MovedSketch, each: ccode.Declaration, bits: int) -> tuple[str, int] | None:
+    """Where the type of a declaration is written; None for one that cannot get a width there, or has none."""
+    unit = unit_of(each)
+    words = retyped_here(sketch, each, bits)
+    if words and unit is not None:
+        return str(unit.path), words[0].start
+    use = each.valueType if isinstance(each, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+    kind = of_use(use)
+    fixed = unit is not None and kind is not None and kind.base.rstrip("& ") in (f"int{bits}_t", f"uint{bits}_t")
+    return (str(unit.path), int(each.startOffset)) if fixed and unit is not None else None
+
+
+def _cured_times(sketch: MovedSketch, values: WrappedValues, holder: Holder) -> Iterator[SketchEdit]:
     """Edits without changes that cure the places where a variable with its own width takes a time."""
     for view in sketch.views:
-        at = {int(each.line) for each in (holder, *holder.references) if unit_of(each) is view.unit}
+        at = {int(each.line) for each in (holder, *values.uses.of(holder)) if unit_of(each) is view.unit}
         if lines := tuple(sorted(at & sketch.lines(TIME, view))):
             yield SketchEdit(view.unit, "int-wraps", "the variable wraps as on its own board", (), TIME, lines)
 
 
-def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit]:
-    """The edits of variables, parameters and functions of type char that have negative values, where char has no sign."""
+def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
+    """The edits of variables, parameters and functions of type char that have negative values, where char has no sign.
+
+    Those to which something points or refers keep their type, and are places.
+    """
     if not sketch.move.source.char_signed or sketch.move.target.char_signed:
         return
     done = set[tuple[str, int]]()
     for holder in negative_chars(sketch.views, returned_values(sketch.views[0].api.name)):
         group = declarations(sketch.views, holder)
         if not all(is_free(each) for each in group):
+            yield sketch.place(KEPT_CHAR, holder, str(holder.name))
             continue
         for each in group:
             data, start = _source(sketch, each)
@@ -111,23 +138,6 @@ def retyped_here(sketch: MovedSketch, each: ccode.Declaration, bits: int) -> tup
 def _source(sketch: MovedSketch, each: ccode.Declaration) -> tuple[bytes, int]:
     unit = unit_of(each)
     return (sketch.sources[str(unit.path)], int(each.startOffset)) if unit is not None else (b"", 0)
-
-
-def declarations(views: Iterable[CodeView], holder: ccode.Declaration) -> list[ccode.Declaration]:
-    """All declarations of a variable, parameter or function: a type is changed in all of them or in none."""
-    owner = holder.eContainer()
-    seen = list(views)
-    if isinstance(holder, ccode.Parameter) and isinstance(owner, ccode.Function):
-        at = list(owner.parameters).index(holder)
-        same = (f for view in seen for f in view.of_kind(ccode.Function) if f.name == owner.name)
-        return [f.parameters[at] for f in same if len(f.parameters) == len(owner.parameters)]
-    if isinstance(holder, ccode.Function):
-        return [f for view in seen for f in view.of_kind(ccode.Function) if f.name == holder.name]
-    shared = isinstance(owner, ccode.SourceUnit) and holder.storage is not ccode.Storage.staticStorage  # type: ignore[attr-defined]
-    if not shared:
-        return [holder]
-    every = (v for view in seen for v in view.of_kind(ccode.Variable) if v.name == holder.name)
-    return [v for v in every if isinstance(v.eContainer(), ccode.SourceUnit)]
 
 
 def is_free(holder: ccode.Declaration) -> bool:

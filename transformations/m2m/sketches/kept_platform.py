@@ -47,11 +47,14 @@ def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[P
     judged = _dispositions(code, views)
     judged.run()
     made.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element, Disposition)]
-    edits = [edit for rule in RULES for edit in rule(sketch)]
+    found = [each for rule in RULES for each in rule(sketch)]
+    edits = [each for each in found if isinstance(each, SketchEdit)]
     for edit in edits:
         _rewrite(edit, judged, made.dispositions)
     trace.take(judged.trace)
-    return made, list(_left(sketch, edits))
+    left = [*_left(sketch, edits), *(each for each in found if isinstance(each, PortabilityPlace))]
+    order = {str(view.unit.path): number for number, view in enumerate(views)}
+    return made, sorted(left, key=lambda place: (order.get(place.path, 0), place.line))
 
 
 def _dispositions(code: ProgramModel, views: Sequence[CodeView]) -> ETL:

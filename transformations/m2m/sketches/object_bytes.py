@@ -11,7 +11,8 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
-from robosmi.transformations.m2m.sketches.int_widths import declarations, is_free, retyped_here
+from robosmi.transformations.m2m.sketches.int_widths import is_free, retyped_here
+from robosmi.transformations.m2m.sketches.linked_types import declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.own_headers import unit_of

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
-from robosmi.transformations.knowledge.platforms.portability_facts import MoveFacts
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.platforms.portability_facts import MoveFacts, PlaceKind
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.queries.block_braces import inside, is_torn
 from robosmi.transformations.queries.code import CodeView
@@ -26,6 +27,7 @@ class MovedSketch(Struct, frozen=True):
         board: how the platform calls the source board and its pins.
         facts: what is different on the target board.
         clock_hz: the clock of the source board.
+        kinds: name of a kind of places -> its facts.
     """
 
     views: Sequence[CodeView]
@@ -35,11 +37,18 @@ class MovedSketch(Struct, frozen=True):
     board: Sequence[platform.BoardMapping] = ()
     facts: MoveFacts = MoveFacts()
     clock_hz: int = 0
+    kinds: Mapping[str, PlaceKind] = {}
 
     def lines(self, kind: str, view: CodeView) -> frozenset[int]:
         """The lines of a unit with places of a kind."""
         path = str(view.unit.path)
         return frozenset(place.line for place in self.places if place.kind == kind and place.path == path)
+
+    def place(self, kind: str, element: ccode.Located, name: str) -> PortabilityPlace:
+        """A place that a rule has found and cannot change."""
+        told, unit = self.kinds[kind], ancestor_of_kind(element, ccode.SourceUnit)
+        text = told.what.format(name=name, target=self.move.target.title)
+        return PortabilityPlace(kind, str(unit.path) if unit is not None else "", int(element.line), text, told.cure, name)
 
 
 class SketchEdit(Struct, frozen=True):
@@ -75,5 +84,5 @@ def setup_start(
     return None
 
 
-SketchRule = Callable[[MovedSketch], Iterator[SketchEdit]]
-"""A rule: from a program to its edits."""
+SketchRule = Callable[[MovedSketch], Iterator[SketchEdit | PortabilityPlace]]
+"""A rule: from a program to its edits, and to the places that it finds and cannot change."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from robosmi.transformations.m2m.sketches.analogue import analogue
 from robosmi.transformations.m2m.sketches.avr_calls import avr_calls
 from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
 from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
+from robosmi.transformations.m2m.sketches.foreign_libraries import foreign_libraries
 from robosmi.transformations.m2m.sketches.int_widths import char_signs, int_widths
 from robosmi.transformations.m2m.sketches.object_bytes import object_bytes
 from robosmi.transformations.m2m.sketches.register_idioms import register_idioms
@@ -15,6 +17,6 @@ from robosmi.transformations.m2m.sketches.usb_console import usb_console
 
 RULES: tuple[SketchRule, ...] = (
     clashing_names, timer_ticks, register_idioms, avr_calls, object_bytes, int_widths, char_signs, servo_limits, flash_eeprom,
-    usb_console,
+    usb_console, analogue, foreign_libraries,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

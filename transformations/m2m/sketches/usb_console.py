@@ -26,7 +26,9 @@ def usb_console(sketch: MovedSketch) -> Iterator[SketchEdit]:
         if loop.condition is not None:
             reason = f"without a computer it would wait for ever; it goes on after {limit} ms"
             yield SketchEdit(loop, "console-wait", reason, (inserted(int(loop.condition.endOffset), f" && millis() < {limit}"),))
-    for view in sketch.views if not waits else ():
+    loops = (loop for view in sketch.views for loop in view.of_kind(ccode.While))
+    bounded = any(isinstance(loop.condition, ccode.Binary) and _asks(loop.condition.left) for loop in loops)
+    for view in sketch.views if not waits and not bounded else ():
         for call in view.of_kind(ccode.Call):
             callee = call.calleeExpression
             begins = (
@@ -50,5 +52,12 @@ def _waits(loop: ccode.While) -> bool:
     condition, body = loop.condition, loop.body
     empty = body is None or isinstance(body, ccode.EmptyStatement) or (isinstance(body, ccode.Block) and not body.statements)
     delays = isinstance(body, ccode.Block) and len(body.statements) == 1
+    return (empty or delays) and _asks(condition)
+
+
+def _asks(condition: ccode.Expression | None) -> bool:
+    """Whether a condition is that the console is not open."""
     operand = condition.operand if isinstance(condition, ccode.Unary) and condition.operator == "!" else None
-    return (empty or delays) and isinstance(operand, ccode.NameReference) and operand.name == _CONSOLE
+    if isinstance(operand, ccode.Member) and operand.name == "operator bool":
+        operand = operand.object
+    return isinstance(operand, ccode.NameReference) and operand.name == _CONSOLE

@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
+from robosmi.transformations.queries.constants.holder_uses import HolderUses
+from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
 from robosmi.transformations.queries.values import Values, passed_arguments
@@ -47,14 +49,16 @@ class Ranges:
         program: the program.
         results: name of a function that the program does not define -> the least and the greatest value that it returns.
         wrapping: variables that take all values of their type, by `id`.
+        uses: the uses of the program's variables, where `wrapping` has members.
     """
 
     def __init__(
         self, numbers: Numbers, values: Values, program: ccode.Program,
         results: Mapping[str, tuple[int, int]] = MappingProxyType({}), wrapping: Collection[int] = (),
+        uses: HolderUses | None = None,
     ) -> None:  # fmt: skip
         self.numbers = numbers
-        self._results, self._wrapping = results, wrapping
+        self._results, self._wrapping, self._uses = results, wrapping, uses
         declared = Counter(d.name for u in program.units for d in u.declarations)
         self._shared = {n for n, count in declared.items() if count > 1} | {e.name for e in program.externals}
         self.values = values
@@ -110,6 +114,8 @@ class Ranges:
         operand, operator = self.of(unary.operand), str(unary.operator)
         if operator == "!":
             return Range(0, 1)
+        if operator == "*":
+            return self._pointed(unary.operand)
         if operand is None or operator not in ("+", "-", "~"):
             return None
         if operator == "+":
@@ -134,7 +140,7 @@ class Ranges:
             key = id(target)
             if key not in self._known:
                 self._known[key] = None
-                self._known[key] = self._variable(target)
+                self._known[key] = self._variable(target) or (self._pointed(reference) if _refers(target) else None)
             return self._known[key]
         if target is None and reference.name in self.values.macros:
             known = self.values.of(reference)
@@ -174,6 +180,15 @@ class Ranges:
             if found and found[-1] is None:
                 return None
         return _union(found)
+
+    def _pointed(self, expression: ccode.Expression | None) -> Range | None:
+        """The range of a member, an element, or what a pointer points to: that of its type if it takes all values."""
+        holders = self._uses.holders(expression) if self._uses is not None else []
+        if not holders or any(id(each) not in self._wrapping for each in holders):
+            return None
+        kinds = [of_use(each.valueType) for each in holders]
+        numbers = [self.numbers.machine.number(kind.base.rstrip("& ")) if kind is not None else None for kind in kinds]
+        return _union([Range(n.least, n.most) if n is not None and not n.real else None for n in numbers])
 
     def _call(self, call: ccode.Call) -> Range | None:
         """What a function of the platform returns, or one that limits or scales its first argument."""
@@ -224,6 +239,8 @@ class Ranges:
     def _index(self, index: ccode.Index) -> Range | None:
         """The range of all elements of an array that is given known values alone."""
         array = index.array
+        if (wrapping := self._pointed(array)) is not None:
+            return wrapping
         target = array.target if isinstance(array, ccode.NameReference) else None
         if not isinstance(target, ccode.Variable) or target.valueType is None or not target.valueType.arrayDims:
             return None
@@ -266,6 +283,10 @@ def _union(ranges: Sequence[Range | None]) -> Range | None:
     return Range(min(r.low for r in known), max(r.high for r in known), all(r.given for r in known))
 
 
+def _refers(target: ccode.Variable | ccode.Parameter) -> bool:
+    return target.valueType is not None and "&" in str(target.valueType.spelling)
+
+
 def _constant(_: Ranges, literal: ccode.IntegerLiteral) -> Range:
     return Range(int(literal.value), int(literal.value))
 
@@ -281,4 +302,5 @@ _RULES: dict[str, Callable[[Ranges, Any], Range | None]] = {
     "Index": Ranges._index,
     "Assignment": Ranges._assigned,
     "Call": Ranges._call,
+    "Member": Ranges._pointed,
 }

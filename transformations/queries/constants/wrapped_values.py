@@ -14,11 +14,11 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constants.holder_uses import Holder, HolderUses
 from robosmi.transformations.queries.constants.ranges import Range, Ranges
-from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.expression_type import FunctionType, of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number, Numbers
 
-Holder = ccode.Variable | ccode.Parameter | ccode.Field
 _GROWING = frozenset(["+", "-", "*", "<<"])
 _CLOSED = _GROWING | {"&", "|", "^"}
 """Operators whose result modulo a power of two depends only on the operands modulo that power."""
@@ -39,6 +39,7 @@ class WrappedValues:
     def __init__(self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]]) -> None:
         self.views, self.here, self.there, self._results = views, here, there, results
         self._wrapping: set[int] = set()
+        self.uses = HolderUses(views)
         self._ranges = self._made()
         for _ in range(_ROUNDS):  # what takes the value of a variable that wraps may wrap as well
             found = {id(each) for each in self._holders if self._leaves(each)}
@@ -57,7 +58,7 @@ class WrappedValues:
         macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
         values = self.views[0].values
         numbers = Numbers(self.here, functions, {}, macros, self._aliases)
-        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping)
+        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping, self.uses)
 
     @cached_property
     def _aliases(self) -> dict[str, str]:
@@ -72,22 +73,30 @@ class WrappedValues:
 
     @cached_property
     def _holders(self) -> list[Holder]:
-        """The variables and parameters of the type int, signed or not, arrays of it included."""
+        """What is of the type int, signed or not, an array of it, or a pointer or reference to it."""
         every: list[Holder] = []
         for view in self.views:
-            every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter)]
+            every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter), *view.of_kind(ccode.Field)]
         return [each for each in every if self.is_int(each.valueType)]
 
     def is_int(self, use: ccode.TypeUse | None) -> bool:
-        """Whether a type is int or unsigned int, whose width differs, or an array of it."""
-        number = self._ranges.numbers.declared(use) if use is not None and not use.pointerDepth else None
-        if number is None or number.real or number.fixed or "&" in str(use.spelling if use is not None else ""):
+        """Whether a type is int or unsigned int, whose width differs, an array of it, or a pointer or reference to it."""
+        number, kind = self._number_in(use), of_use(use)
+        if number is None or number.real or number.fixed or kind is None or kind.function:
             return False
-        return number.bits == self.here.int_bits and not str(use.spelling if use is not None else "").endswith("_t")
+        return number.bits == self.here.int_bits and not kind.base.endswith("_t")
+
+    def _number_in(self, use: ccode.TypeUse | None) -> Number | None:
+        """The type of the numbers that a variable has, or points or refers to."""
+        kind = of_use(use)
+        if kind is None or kind.depth - kind.dimensions > (not kind.dimensions):
+            return None
+        base = kind.base.replace("&", "").strip()
+        return self.here.number(self._aliases.get(base, base))
 
     @property
     def variables(self) -> list[Holder]:
-        """The variables and parameters that may leave 16 bits, in text order."""
+        """The variables, parameters and members that may leave 16 bits, or whose numbers may, in text order."""
         return [each for each in self._holders if id(each) in self._wrapping]
 
     def wraps(self, holder: Element | None) -> bool:
@@ -95,8 +104,15 @@ class WrappedValues:
         return id(holder) in self._wrapping
 
     def number(self, expression: ccode.Expression | None) -> Number | None:
-        """The type of an expression on the source."""
-        return self._ranges.numbers.of(expression)
+        """The type of an expression on the source; int where functions of the platform are combined whose results are known."""
+        found = self._ranges.numbers.of(expression)
+        return self.here.integer if found is None and self._of_results(expression) else found
+
+    def _of_results(self, expression: ccode.Expression | None) -> bool:
+        if isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
+            of_right = expression.operator == "<<" or self._of_results(expression.right)
+            return of_right and self._of_results(expression.left)
+        return isinstance(expression, ccode.Call) and str(expression.calleeName) in self._results
 
     def range_of(self, expression: ccode.Expression | None) -> Range | None:
         """The range of an expression if nothing wraps within it."""
@@ -105,20 +121,19 @@ class WrappedValues:
     # ---- variables
 
     def _leaves(self, holder: Holder) -> bool:
-        use = holder.valueType
-        number = self._ranges.numbers.declared(use)
+        number, points = self._number_in(holder.valueType), _points(holder)
         if number is None:
             return False
-        given: list[ccode.Expression | None] = [holder.initializer] if isinstance(holder, ccode.Variable) else []
-        given = list(given[0].elements) if given and isinstance(given[0], ccode.InitializerList) else given
-        for reference in holder.references:
-            written = _written(reference)
+        first = None if points or isinstance(holder, ccode.Parameter) else holder.initializer
+        given: list[ccode.Expression | None] = list(first.elements) if isinstance(first, ccode.InitializerList) else [first]
+        for reference in self.uses.of(holder):
+            written = _written(reference, within=points)
             if written is None:
                 continue
             if isinstance(written, ccode.Assignment) and written.operator == "=":
                 given.append(written.right)
                 if (
-                    _mentions(written.right, holder)
+                    self._mentions(written.right, holder)
                     and self._grows_by(written.right, holder)
                     and not self._bounded(written, holder)
                 ):
@@ -139,9 +154,18 @@ class WrappedValues:
         """Whether an assigned value is the old one with something added, so that no range tells where it ends."""
         if self._ranges.of(value) is not None and not self.wraps(holder):
             return False
+        return self._grows(value, holder)
+
+    def _grows(self, value: ccode.Expression | None, holder: Holder) -> bool:
         while isinstance(value, (ccode.Cast, ccode.Unary)):
             value = value.operand
-        return isinstance(value, ccode.Binary) and value.operator in _GROWING
+        if isinstance(value, ccode.ConditionalExpression):
+            ways = (value.whenTrue, value.whenFalse)
+        elif isinstance(value, ccode.Binary) and value.operator in ("|", "^"):
+            ways = (value.left, value.right)
+        else:
+            return isinstance(value, ccode.Binary) and value.operator in _GROWING
+        return any(self._mentions(each, holder) and self._grows(each, holder) for each in ways)
 
     def _bounded(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
         """Whether a loop of known length bounds a step, or a comparison that guards it or sets the variable."""
@@ -150,7 +174,7 @@ class WrappedValues:
             return self._compared(loop.condition, holder)
         if self._few_rounds(written, holder):
             return True
-        for reference in holder.references:
+        for reference in self.uses.of(holder):
             comparison = reference.eContainer()
             if not isinstance(comparison, ccode.Binary) or comparison.operator not in COMPARISONS:
                 continue
@@ -162,7 +186,7 @@ class WrappedValues:
             inside = {id(each) for each in all_contents(decided)}
             sets = (
                 r
-                for r in holder.references
+                for r in self.uses.of(holder)
                 if id(r) in inside and isinstance(w := _written(r), ccode.Assignment) and w.operator == "="
             )
             if id(written) in inside or any(True for _ in sets):
@@ -175,10 +199,10 @@ class WrappedValues:
             return self._compared(condition.left, holder) or self._compared(condition.right, holder)
         if not isinstance(condition, ccode.Binary) or condition.operator not in COMPARISONS:
             return False
-        number = self._ranges.numbers.declared(holder.valueType)
+        number = self._number_in(holder.valueType)
         sides = (condition.left, condition.right)
         for own, other in (sides, sides[::-1]):
-            if isinstance(own, ccode.NameReference) and own.target is holder and number is not None:
+            if any(each is holder for each in self.uses.holders(own)) and number is not None:
                 found = self._ranges.of(other)
                 return found is None or found.within(number.least, number.most)
         return False
@@ -228,7 +252,7 @@ class WrappedValues:
     def exceeding(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
         """The expressions of a unit that wrap on the source where their value is looked at, with their types there."""
         for expression in view.elements:
-            if not isinstance(expression, (ccode.Binary, ccode.Unary)):
+            if not isinstance(expression, (ccode.Binary, ccode.Unary, ccode.Cast)):
                 continue
             number = self.number(expression)
             if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
@@ -238,6 +262,8 @@ class WrappedValues:
 
     def exceeds(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether a result may have bits beyond its type on the source."""
+        if isinstance(expression, ccode.Cast):
+            return self._cut_off(expression, number)
         if isinstance(expression, ccode.Unary) and expression.operator in ("-", "~", "+"):
             operands = [expression.operand]
         elif isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
@@ -247,9 +273,24 @@ class WrappedValues:
         found = self._ranges.of(expression)
         if found is not None:
             return not found.within(number.least, number.most)
+        if isinstance(expression, ccode.Binary) and expression.operator == "<<" and self._joins(expression, number):
+            return True
         return any(
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
         )
+
+    def _cut_off(self, cast: ccode.Cast, number: Number) -> bool:
+        """Whether a cast to int cuts a wider value that is not known to fit."""
+        inner, found = self.number(cast.operand), self._ranges.of(cast.operand)
+        wider = inner is not None and not inner.real and inner.bits > number.bits
+        return wider and (found is None or not found.within(number.least, number.most))
+
+    def _joins(self, shift: ccode.Binary, number: Number) -> bool:
+        """Whether a value is shifted by half an int or more and out of it, as when two bytes are joined, or nobody knows it."""
+        by, value = self._ranges.of(shift.right), self._ranges.of(shift.left)
+        if by is None or not self.here.int_bits // 2 <= by.low < self.here.int_bits:
+            return False
+        return value is None or value.high << by.low > number.most
 
     def _looked_at(self, expression: ccode.Expression, number: Number) -> bool:
         """Whether the context of an expression depends on bits beyond its type on the source."""
@@ -261,45 +302,55 @@ class WrappedValues:
         if isinstance(outer, ccode.Unary) and outer.operator in ("-", "~", "+"):
             return False
         if isinstance(outer, ccode.Assignment) and outer.right is expression:
-            return not self._cuts(_target(outer.left), outer.left)
+            targets = self.uses.holders(_object(outer.left))
+            return not targets or not all(map(self._cuts, targets))
         if isinstance(outer, ccode.Variable):
-            return not self._cuts(outer, None)
+            return not self._cuts(outer)
         if isinstance(outer, ccode.Cast):
             to = self.there.number(str(outer.target.spelling)) if outer.target is not None else None
             return to is None or to.real or to.bits > number.bits
         return not isinstance(outer, (ccode.ExpressionStatement, ccode.For))
 
-    def _cuts(self, holder: Element | None, place: ccode.Expression | None) -> bool:
-        """Whether what is stored in a place is cut to 16 bits there, on the target as well."""
-        if isinstance(holder, (ccode.Variable, ccode.Parameter, ccode.Field)):
-            if self.wraps(holder):
-                return True
-            kind = self._ranges.numbers.declared(holder.valueType)
-            return kind is not None and not kind.real and kind.fixed and kind.bits <= self.here.int_bits
-        return False
+    def _cuts(self, holder: Holder) -> bool:
+        """Whether what is stored in a variable is cut to 16 bits there, on the target as well."""
+        if self.wraps(holder):
+            return True
+        kind = self._number_in(holder.valueType)
+        return kind is not None and not kind.real and kind.fixed and kind.bits <= self.here.int_bits
+
+    def _mentions(self, expression: ccode.Expression | None, holder: Holder) -> bool:
+        inside = [expression, *all_contents(expression)] if expression is not None else []
+        return any(holder is found for each in inside for found in self.uses.holders(each))
 
 
-def _target(place: ccode.Expression | None) -> Element | None:
-    """The variable that a place is, or is an element of."""
-    while isinstance(place, ccode.Index):
-        place = place.array
-    return place.target if isinstance(place, ccode.NameReference) else None
+def _object(place: ccode.Expression | None) -> ccode.Expression | None:
+    """The expression for the variable that a place is, is an element of, or is what it points to."""
+    while isinstance(place, ccode.Index) or (isinstance(place, ccode.Unary) and place.operator == "*"):
+        place = place.array if isinstance(place, ccode.Index) else place.operand
+    return place
 
 
-def _written(reference: ccode.NameReference) -> ccode.Assignment | ccode.Unary | None:
-    """The assignment or step by which a name, or an element of the array that it names, is written; None where it is read."""
+def _points(holder: Holder) -> bool:
+    """Whether a variable is a pointer, so that its numbers are where it points."""
+    return holder.valueType is not None and bool(holder.valueType.pointerDepth)
+
+
+def _written(reference: Element, *, within: bool = False) -> ccode.Assignment | ccode.Unary | None:
+    """The assignment or step by which a name, an element, or what a pointer points to is written; None where it is read.
+
+    Args:
+        reference: the name.
+        within: whether it is a pointer, and only what it points to counts.
+    """
     at: Element = reference
     outer = at.eContainer()
-    while isinstance(outer, ccode.Index) and outer.array is at:
+    while (isinstance(outer, ccode.Index) and outer.array is at) or (isinstance(outer, ccode.Unary) and outer.operator == "*"):
         at, outer = outer, outer.eContainer()
+    if within and at is reference:
+        return None
     if isinstance(outer, ccode.Assignment) and outer.left is at:
         return outer
     return outer if isinstance(outer, ccode.Unary) and outer.operator in ("++", "--") else None
-
-
-def _mentions(expression: ccode.Expression | None, holder: Holder) -> bool:
-    inside = [expression, *all_contents(expression)] if expression is not None else []
-    return any(isinstance(each, ccode.NameReference) and each.target is holder for each in inside)
 
 
 def _decided_by(comparison: ccode.Binary) -> ccode.Statement | ccode.ConditionalExpression | None:

@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind, ancestor_of_kind, root_of
 from robosmi.transformations.knowledge.platforms.board_pins import BoardPins, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 
 AS_WRITTEN = "port-as-written"
@@ -23,6 +24,8 @@ OF_INTERRUPT = "interrupt-of-port"
 """The rule of the number of an interrupt that is replaced by the interrupt of a pin."""
 PROPOSED = 0.5
 """The confidence of a pin that is proposed and that a person has to approve."""
+UNWIRED = "unwired_pin"
+"""The kind of places that give the number of a port without a pin to a core that does not check it."""
 _ENUMERATOR = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:=|\Z)")
 
 
@@ -98,6 +101,17 @@ def lost_pin_calls(plan: migration.MigrationPlan) -> set[tuple[str, int]] | None
     taking = {function for function, _ in ApiIndex.load(str(plan.source.name)).functions_with_pins()}
     lost = ((unit, each) for unit in plan.program.units for each in unit.unresolved)
     return {(str(unit.path), int(each.line)) for unit, each in lost if each.name in taking}
+
+
+def ignores_unwired(plan: migration.MigrationPlan) -> bool:
+    """Whether calls do nothing that are given the number of a port without a pin.
+
+    Adapters see to it. A program whose platform stays has none, so it depends on the target's core.
+    """
+    if not keeps_platform(plan) or plan.source is None:
+        return True
+    facts, chip = portability_facts(str(plan.source.name)), plan.board.microcontroller if plan.board is not None else None
+    return chip is not None and facts is not None and UNWIRED in facts.move_to(str(chip.name), str(chip.architecture)).same
 
 
 def kept_pins(plan: object) -> KeptPins | None:

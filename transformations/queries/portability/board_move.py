@@ -22,6 +22,7 @@ class BoardSide(Struct, frozen=True):
         aliases: every name of a pin -> its label.
         ports: name of a pin on the microcontroller -> its label.
         char_signed: whether plain char is signed.
+        timers: label of a pin -> the timer of its PWM.
         led: label of the pin with the board's LED; empty if there is none.
     """
 
@@ -35,6 +36,7 @@ class BoardSide(Struct, frozen=True):
     ports: Mapping[str, str]
     led: str
     char_signed: bool = True
+    timers: Mapping[str, str] = {}
 
 
 class BoardMove(Struct, frozen=True):
@@ -71,4 +73,5 @@ def board_side(target: platform.Target) -> BoardSide:
         {str(pin.port): str(pin.label) for pin in board.pins},
         str(board.led or ""),
         bool(own.charSigned),
+        {str(pin.label): str(pin.timer) for pin in board.pins if pin.timer},
     )

@@ -31,7 +31,7 @@ def portability(
     paths = {str(view.unit.path): order[id(view.unit)] for view in views}
     found: dict[tuple[str, str, int], PortabilityPlace] = {}
     for name, kind in facts.kinds.items():
-        for place in _places(name, kind, seen):
+        for place in _places(name, kind, seen) if kind.when == "analyse" else ():
             found.setdefault((name, place.path, place.line), place)
     return sorted(found.values(), key=lambda place: (paths.get(place.path, 0), place.line))
 

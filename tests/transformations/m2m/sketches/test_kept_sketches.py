@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from tests.running import run
 
 CASES = Path(__file__).parent / "cases"
 
@@ -21,6 +22,22 @@ def test_a_sketch_keeps_what_it_does(case: str, tmp_path: Path) -> None:
     expected = CASES / case / "expected.ino"
     text = (tmp_path / "out" / case / f"{case}.ino").read_text()
     assert text == (expected if expected.is_file() else sketch).read_text()
+
+
+@pytest.mark.parametrize(
+    ("case", "lines"),
+    [
+        ("kept_ints", [2, 3, 4]), ("linked_ints", []), ("formats", [18, 19, 20]), ("fan", []), ("fan_two", [9]),
+        ("dim_stored", [2, 5, 10, 11]),
+    ],
+)  # fmt: skip
+def test_what_no_rule_changes_is_a_task_at_its_line(case: str, lines: list[int], tmp_path: Path) -> None:
+    sketch = CASES / case / case / f"{case}.ino"
+    outcome = run("migrate", sketch, "--from", "uno", "--target", "pico", "-o", tmp_path, "--yes", "--json")
+    tasks = [task for task in outcome.document["tasks"] if task["rule"] == "RS346"]
+    assert [task["location"]["line"] for task in tasks] == lines
+    report = (tmp_path / case / "MIGRATION.md").read_text()
+    assert ("differently" in report.partition("## Write")[0]) == bool(lines)
 
 
 @pytest.mark.parametrize("case", sorted(path.name for path in CASES.iterdir()))

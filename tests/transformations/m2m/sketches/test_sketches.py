@@ -131,6 +131,53 @@ def test_a_drawing_of_another_board_is_refused(tmp_path: Path) -> None:
     assert migrated("drawn", tmp_path, "--hardware", str(HERE / "drawn" / "mega.json")).code == 3
 
 
+@pytest.mark.parametrize(("target", "lines"), [("uno", [4, 5, 8]), ("pico", [])])
+def test_calls_of_ports_without_pins_are_told_where_the_core_does_not_check_them(
+    target: str, lines: list[int], tmp_path: Path
+) -> None:
+    outcome = migrated("unwired", tmp_path, "--bind", "horn=none", "--bind", "bell=none", source="mega", target=target)
+    assert outcome.code == 0
+    assert sorted(task["location"]["line"] for task in tasks(outcome, "RS346")) == lines
+    assert "255" in text(tmp_path, "unwired/unwired.ino")
+
+
+@pytest.mark.parametrize(
+    ("target", "expected"),
+    [
+        ("nano", {"SDA": ("A4", "A4"), "SCL": ("A5", "A5"), "MOSI": ("D11", "D11"), "RX": ("D0", "D0")}),
+        ("mega", {"SDA": ("A4", "D20"), "SCL": ("A5", "D21"), "MOSI": ("D11", "D51"), "RX": ("D0", "D0")}),
+        ("pico", {"SDA": ("A4", "GP4"), "SCL": ("A5", "GP5"), "MOSI": ("D11", "GP19"), "RX": ("D0", "USB")}),
+        ("uno-r4-minima", {"SDA": ("A4", "A4"), "RX": ("D0", "USB")}),
+    ],
+)
+def test_the_pins_of_buses_stand_in_the_report_and_those_that_move_are_checks(
+    target: str, expected: dict[str, tuple[str, str]], tmp_path: Path
+) -> None:
+    outcome = migrated("buses", tmp_path, target=target)
+    rows = re.findall(r"\| (\w+) \| (\w+) \| (\w+) \| (\w+) \|\n", text(tmp_path, "buses/MIGRATION.md"))
+    found = {signal: (old, new) for _, signal, old, new in rows}
+    assert {signal: found[signal] for signal in expected} == expected
+    checks = " ".join(item["message"] for item in outcome.result["plan"]["work"]["check"]["items"])
+    for bus, signal in (("Wire", "SDA"), ("SPI", "MOSI"), ("Serial ", "RX")):
+        if signal in expected:
+            old, new = expected[signal]
+            assert (bus in checks) == (old != new)
+
+
+def test_ports_of_a_sketch_are_not_proposed_on_pins_of_its_serial_ports(tmp_path: Path) -> None:
+    outcome = migrated("serial_ports", tmp_path, source="mega")
+    assert not {"GP0", "GP1"} & set(pins(outcome).values())
+
+
+def test_a_converter_with_more_steps_gets_the_full_scale_of_the_old_board(tmp_path: Path) -> None:
+    outcome = migrated("esp32", tmp_path, target="esp32")
+    assert changed(tmp_path, "esp32") == {4: "void setup() { analogReadResolution(10);"}
+    told = {task["location"]["line"]: task["message"] for task in tasks(outcome, "RS346") if "unsuitable" in task["message"]}
+    assert set(told) == {1, 2}
+    assert "ESP32Servo" in told[1]
+    assert "FS_EspSoftwareSerial" in told[2]
+
+
 def test_headers_that_nobody_has_stop_nothing(tmp_path: Path) -> None:
     outcome = migrated("libraries", tmp_path, "--bind", "D2=GP16", "--bind", "horn=GP4")
     assert outcome.code in (0, 1)

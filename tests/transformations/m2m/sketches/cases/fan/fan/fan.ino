@@ -1,0 +1,7 @@
+const int FAN = 9;
+void setup() {
+  pinMode(FAN, OUTPUT);
+}
+void loop() {
+  analogWrite(FAN, 100);
+}

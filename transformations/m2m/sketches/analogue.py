@@ -1,0 +1,87 @@
+"""Analogue inputs and outputs: the same full scale and frequency as on the source board, as far as a call in setup gives them.
+
+What it does not give is a place: a second frequency, another reference, and voltages that a sketch computes with 5 V.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents
+from robosmi.transformations.knowledge.replacements import inserted
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, setup_start
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
+
+READ, WRITE, REFERENCE = "analogRead", "analogWrite", "analogReference"
+_ANY = "*"
+_STEPS = frozenset([1023, 1024])
+_VOLTS = frozenset([5, 50, 500, 5000])
+
+
+def analogue(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
+    """The edits, and the places."""
+    source, target = sketch.move.source, sketch.move.target
+    called = [(view, call) for view in sketch.views for call in view.of_kind(ccode.Call)]
+    if source.architecture == target.architecture:
+        if source.chip != target.chip:  # the internal reference has another name, or other volts
+            for _, call in called:
+                chosen = next(iter(call.arguments), None) if call.calleeName == REFERENCE else None
+                if isinstance(chosen, ccode.NameReference) and str(chosen.name).startswith("INTERNAL"):
+                    yield sketch.place("analog_reference", call, REFERENCE)
+        return
+    named = {name: [(v, c) for v, c in called if c.calleeName == name] for name in (READ, WRITE, REFERENCE)}
+    added: list[tuple[str, str]] = []
+    if named[READ] and sketch.facts.read_bits:
+        added.append((sketch.facts.read_bits, "analogRead has the full scale of its own board"))
+    if named[WRITE] and sketch.facts.pwm_frequency:
+        of_call = {id(call): _frequency(sketch, view, call) for view, call in named[WRITE]}
+        wanted = min(of_call.values())
+        text = sketch.facts.pwm_frequency.replace("{hz}", str(wanted))
+        added.append((text, f"analogWrite has {wanted} Hz on its own board"))
+        for _, call in named[WRITE]:
+            if of_call[id(call)] != wanted:
+                yield sketch.place("pwm_frequency", call, f"{of_call[id(call)]} Hz")
+    start = setup_start(sketch.views, sketch.sources) if added else None
+    if start is not None:
+        _, setup, offset = start
+        text, reasons = "".join(f" {each};" for each, _ in added), "; ".join(reason for _, reason in added)
+        yield SketchEdit(setup, "analogue", reasons, (inserted(offset, text),))
+    for _, call in named[REFERENCE]:
+        yield sketch.place("analog_reference", call, REFERENCE)
+    if named[READ] and sketch.facts.supply_volts:
+        yield from _volts(sketch)
+
+
+def _frequency(sketch: MovedSketch, view: CodeView, call: ccode.Call) -> int:
+    """The frequency of a pin on the source board, in Hz; that of most pins if the text does not say which it is."""
+    clocks, source = sketch.facts.pwm_clocks, sketch.move.source
+    numbers = [value.number for value in view.values.of(call.arguments[0])] if call.arguments else []
+    labels = {source.numbers.get(number, "") for number in numbers if number is not None}
+    timers = {source.timers.get(label, "") for label in labels}
+    found = {clocks.get(timer, clocks[_ANY]) for timer in timers}
+    return round(sketch.clock_hz / (found.pop() if len(found) == 1 else clocks[_ANY]))
+
+
+def _volts(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
+    """The expressions that make volts of a reading, with 5 V and the number of steps."""
+    for view in sketch.views:
+        for each in view.of_kind(ccode.Binary):
+            if isinstance(each.eContainer(), (ccode.Binary, ccode.Cast)) or each.operator not in ("*", "/"):
+                continue
+            numbers = {value for inner in all_contents(each) if (value := _number(inner, view)) is not None}
+            if _STEPS & numbers and _VOLTS & numbers:
+                yield sketch.place("analog_volts", each, f"{sketch.facts.supply_volts} V")
+
+
+def _number(element: object, view: CodeView) -> float | None:
+    if isinstance(element, ccode.FloatingLiteral):
+        return float(element.value)
+    target = element.target if isinstance(element, ccode.NameReference) else None
+    if isinstance(target, ccode.Variable) and isinstance(target.initializer, ccode.FloatingLiteral):
+        return float(target.initializer.value)
+    if isinstance(element, (ccode.IntegerLiteral, ccode.NameReference)):
+        found = view.values.of(element)
+        return found[0].number if len(found) == 1 else None
+    return None
