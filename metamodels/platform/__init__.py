@@ -666,6 +666,8 @@ class PinName(Element, metaclass=MetaEClass):
     """Its spelling in a program."""
     interrupt: int = EAttribute(eType=EInt, default_value=-1)
     """Number of its external interrupt, -1 for none."""
+    number: int = EAttribute(eType=EInt, default_value=-1)
+    """Its number, where neither the literal nor another name of the pin tells it; -1 else."""
 
     if TYPE_CHECKING:
 
@@ -675,6 +677,7 @@ class PinName(Element, metaclass=MetaEClass):
             pin: Pin | None = None,
             literal: str | None = None,
             interrupt: int | None = None,
+            number: int | None = None,
         ) -> None: ...
 
 

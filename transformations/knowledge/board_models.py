@@ -313,10 +313,16 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
                 pin=pin,
                 literal=literals.get(pin.label) or _numbered(pin, rules, numbers),
                 interrupt=interrupts.get(pin.label, -1),
+                number=-1 if _tells_its_number(pin) else numbers.get(pin.label, -1),
             )
             for pin in board.pins
         ],
     )
+
+
+def _tells_its_number(pin: platform.Pin) -> bool:
+    """Whether a name of a pin has its number, such as D14 of A0."""
+    return any(re.fullmatch(r"D\d+|\d+", str(name)) for name in (pin.label, *pin.aliases))
 
 
 def _core(full_name: str, platform_name: str, project: Path | None) -> DataTable:

@@ -56,7 +56,7 @@ def board_pins(mappings: Iterable[platform.BoardMapping]) -> BoardPins | None:
     for name in mapping.pinNames:
         if name.pin is not None:
             literals = (str(name.literal), *(str(alias)[1:] for alias in name.pin.aliases if str(alias).startswith("D")))
-            number = next((int(text) for text in literals if text.isdecimal()), None)
+            number = next((int(text) for text in literals if text.isdecimal()), name.number if name.number >= 0 else None)
             if number is not None:
                 numbers[str(name.pin.label)] = number
     pins = [pin for pin in mapping.board.pins if pin.label in numbers]

@@ -14,6 +14,7 @@ from msgspec import Struct
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.transformations.knowledge.api_facts import Convention, PinParameter
+from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.values import RUNTIME, Value, Values
@@ -186,8 +187,14 @@ def pin_values(
     if parameter.span > 1:
         return [v if v.number is None else Value(v.number + i, v.origin) for v in own for i in range(parameter.span)]
     if parameter.numbering:
-        return [v if v.number is None else Value(parameter.pin_of(v.number), v.origin) for v in own]
+        return [v if v.number is None else Value(_numbered(parameter, v.number), v.origin) for v in own]
     return own
+
+
+def _numbered(parameter: PinParameter, number: int) -> int | None:
+    """The pin that a number means; one that means no channel stays as it is, for it is no pin of the board either."""
+    pin = parameter.pin_of(number)
+    return number if pin is None and parameter.numbering == CHANNEL else pin
 
 
 def _range(ends: list[Value], starts: list[Value]) -> list[Value]:

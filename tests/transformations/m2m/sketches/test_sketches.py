@@ -53,6 +53,27 @@ def test_a_sketch_needs_no_edit_on_a_board_with_the_same_pins(name: str, target:
     assert not (tmp_path / name / "adapters.h").exists()
 
 
+@pytest.mark.parametrize(
+    ("target", "lines"),
+    [
+        ("pico", {1: "int far = 26;", 2: "const int near = 27;", 10: "  Serial.println(analogRead(26));"}),
+        ("mega", {1: "int far = A7;"}),
+    ],
+)
+def test_pins_that_only_measure_have_numbers_names_and_channels(target: str, lines: dict[int, str], tmp_path: Path) -> None:
+    outcome = migrated("analog_pins", tmp_path, target=target, source="nano")
+    assert lines.items() <= changed(tmp_path, "analog_pins").items()
+    assert len([line for line in changed(tmp_path, "analog_pins").values() if "Read" in line or "int" in line]) == len(lines)
+    assert not [finding for finding in outcome.document["findings"] if finding["rule"] in ("RS326", "RS327")]
+
+
+def test_a_number_that_is_no_pin_of_the_board_is_told(tmp_path: Path) -> None:
+    outcome = migrated("no_such_pins", tmp_path)
+    [finding] = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS326"]
+    assert re.findall(r"\b2\d\b", finding["message"]) == ["21", "22", "25"]
+    assert changed(tmp_path, "no_such_pins") == {}
+
+
 def test_every_place_of_a_pin_changes_with_its_port(tmp_path: Path) -> None:
     said = {
         "BUZZER": "GP15",
