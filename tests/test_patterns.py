@@ -22,6 +22,7 @@ NOT_IN_THE_TEXT = {
     "robosmi/generate/formatters.py": "from the language of a template's user",
     "robosmi/generate/languages.py": "an escaped word",
     "robosmi/query/strings.py": "given by the user in a query, whose time is not limited",
+    "robosmi/verify/uploads/drives.py": "from data files, which are looked at here themselves",
     "robosmi/verify/uploads/upload.py": "from data files, which are looked at here themselves",
     "transformations/knowledge/board_models.py": "from data files, which are looked at here themselves",
     "transformations/knowledge/cores/core_recipes.py": "from an installed core, whose commands are run anyway",

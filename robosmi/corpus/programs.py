@@ -14,7 +14,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.corpus.repositories import checked_out
+from robosmi.corpus.repositories import checkout
 from robosmi.corpus.spec import ProgramPlace, Spec
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -76,7 +76,7 @@ def _of_place(place: ProgramPlace, spec: Spec, out: Path) -> Iterator[ProgramSou
         yield from _of_list(place, spec)
     elif place.git is not None:
         name = f"{place.prefix}{_shown(str(place.git), spec)}"
-        laid = checked_out(place.git, place.revision, out / "sources")
+        laid = checkout(place.git, place.revision, out / "sources")
         if laid.missing is not None:
             yield ProgramSource(name, str(place.git), place, labels=place.labels, missing=laid.missing, origin=origin)
             return

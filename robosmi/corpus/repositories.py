@@ -25,7 +25,7 @@ _SAFE = {"GIT_NO_LAZY_FETCH": "1", "GIT_ALLOW_PROTOCOL": "none", "GIT_TERMINAL_P
          "GIT_OPTIONAL_LOCKS": "0", "LC_ALL": "C"}  # fmt: skip
 
 
-class LaidOut(Struct, frozen=True):
+class Checkout(Struct, frozen=True):
     """A commit as a folder.
 
     Attributes:
@@ -39,7 +39,7 @@ class LaidOut(Struct, frozen=True):
     missing: str | None = None
 
 
-def checked_out(repository: Path, revision: str, folder: Path) -> LaidOut:
+def checkout(repository: Path, revision: str, folder: Path) -> Checkout:
     """The files of a commit, in a folder of their own.
 
     Args:
@@ -52,18 +52,18 @@ def checked_out(repository: Path, revision: str, folder: Path) -> LaidOut:
         SourceError: the files cannot be written.
     """
     if not repository.is_dir():
-        return LaidOut(repository, missing="there is no such repository")
+        return Checkout(repository, missing="there is no such repository")
     if revision.startswith("-"):
-        return LaidOut(repository, missing=f"'{revision}' is no revision")
+        return Checkout(repository, missing=f"'{revision}' is no revision")
     done = _git(repository, "rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")
     commit = done.stdout.decode().strip()
     if done.returncode or not commit:
         said = done.stderr.decode(errors="replace").strip().splitlines()
-        return LaidOut(repository, missing=f"it has no commit '{revision}'" if not said else f"git cannot read it: {said[0]}")
+        return Checkout(repository, missing=f"it has no commit '{revision}'" if not said else f"git cannot read it: {said[0]}")
     name = hashlib.sha256(os.fsencode(repository.resolve())).hexdigest()[:12]
     made = folder / f"{repository.resolve().name.removesuffix('.git')}-{name}-{commit[:12]}"
     if made.is_dir():
-        return LaidOut(made, commit)
+        return Checkout(made, commit)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         part = Path(tempfile.mkdtemp(prefix=".part-", dir=folder))
@@ -77,10 +77,10 @@ def checked_out(repository: Path, revision: str, folder: Path) -> LaidOut:
         finally:
             shutil.rmtree(part, ignore_errors=True)
     except _Damaged as error:
-        return LaidOut(repository, missing=f"git cannot read it: {error}")
+        return Checkout(repository, missing=f"git cannot read it: {error}")
     except OSError as error:
         raise SourceError(f"the files of {repository} cannot be laid out: {error.strerror}", fix="check the disk") from error
-    return LaidOut(made, commit)
+    return Checkout(made, commit)
 
 
 class _Damaged(Exception):

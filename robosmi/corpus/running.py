@@ -104,7 +104,7 @@ class RunProgress(Struct):
         return (self.total - self.ended) / self.rate if self.ended else None
 
 
-Told = Callable[[RunProgress], None]
+ProgressReport = Callable[[RunProgress], None]
 
 
 def store_place(out: Path, url: str | None) -> str | Path:
@@ -126,7 +126,7 @@ class CorpusRun:
         MissingToolError: git or a driver is missing.
     """
 
-    def __init__(self, spec: Spec, out: Path, options: RunOptions, told: Told | None = None) -> None:
+    def __init__(self, spec: Spec, out: Path, options: RunOptions, told: ProgressReport | None = None) -> None:
         self.spec, self.out, self.options = spec, out.absolute(), options
         self._told = told or (lambda _: None)
         self.summary = Summary()

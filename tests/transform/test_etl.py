@@ -273,7 +273,7 @@ def test_rules_without_types_are_refused_where_they_stand() -> None:
     t = ETL(L, G)
     with pytest.raises(RuleError, match=r"test_etl.py:\d+: the rule X does not say of which type 'n' is"):
         t.rule(L.Book, name="X")(lambda b, n: None)
-    with pytest.raises(RuleError, match="the rule X has 2 target types and 1 parameters"):
+    with pytest.raises(RuleError, match="the rule X has 2 target types and 1 parameter"):
         t.rule(L.Book, to=[G.Node, G.Node], name="X")(lambda b, n: None)
     with pytest.raises(RuleError, match="the rule X has no source"):
         t.rule(L.Book, name="X")(lambda: None)

@@ -27,8 +27,8 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.kept_program import KeptProgram, kept_program, new_board
 from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
+from robosmi.transformations.chains.retained_program import RetainedProgram, new_board, retained_program
 from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
 from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
@@ -98,7 +98,7 @@ def migration_chain() -> Chain:
     chain.call(make_ranker, makes="ranker", step="load the ranker")
     chain.call(previous_choices, makes="earlier", step="open the history")
     chain.call(ports, makes="ports", step="follow the program's ports")
-    chain.call(kept_program, makes="kept", step="find what behaves differently on another board")
+    chain.call(retained_program, makes="kept", step="find what behaves differently on another board")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
     chain.call(widenings, makes="widenings", step="keep the widths of numbers")
     chain.call(new_board, makes="new_board", step="look up the pins of the new board")
@@ -243,7 +243,7 @@ def judgement(
     widths: str | None,
     settings: Project,
     drawing: StoredDrawing | None,
-    kept: KeptProgram | None,
+    kept: RetainedProgram | None,
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), and which adapters fill its calls.
 
@@ -276,7 +276,7 @@ def widenings(
     api: ApiIndex,
     target: TargetFacts,
     widths: str | None,
-    kept: KeptProgram | None,
+    kept: RetainedProgram | None,
 ) -> Widened:
     """The changes by which the program's numbers keep the widths that they have on the source."""
     if kept is not None:
@@ -302,7 +302,7 @@ def models(
     libraries: Mapping[str, str],
     stored: StoredChoices | None,
     source_board: SourceBoard | None,
-    kept: KeptProgram | None,
+    kept: RetainedProgram | None,
 ) -> MigrationModels:
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
@@ -337,7 +337,7 @@ def models(
     said_pins = pins_of_project(settings, target).pins
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": said_pins, "libraries": settings.libraries}
     if kept is not None:
-        from robosmi.transformations.m2m.sketches.kept_platform import place_findings  # loaded for such programs already
+        from robosmi.transformations.m2m.sketches.retained_platform import place_findings  # loaded for such programs already
 
         plan.findings.extend(plan_findings(plan, place_findings(kept.left, plan, files), places))
         settle_tasks(plan)

@@ -28,8 +28,8 @@ from robosmi.transformations.chains.stages.models import MigrationModels, stored
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
-from robosmi.transformations.m2t.kept_text import STORED as STORED_FILES
 from robosmi.transformations.m2t.program_files import REPORT
+from robosmi.transformations.m2t.retained_text import STORED as STORED_FILES
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES

@@ -16,8 +16,8 @@ from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.constraints.code_move import FLOW, move, moved, place, the_move, together
 from robosmi.transformations.queries.flows.cores import reached, written
 from robosmi.transformations.queries.own_headers import own_macro
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import called
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.programs.main_program import main_function
 from robosmi.validate import Fail
 
@@ -40,7 +40,7 @@ def is_register(use: ccode.NameReference | ccode.MacroUse) -> bool:
 
 def is_lost_register(use: ccode.NameReference | ccode.MacroUse) -> bool:
     """Whether a name is a register of the source platform that a placeholder stands for; where the platform stays none does."""
-    return is_register(use) and use.name not in the_move().served and not keeps_platform(the_move().plan)
+    return is_register(use) and use.name not in the_move().served and not retains_platform(the_move().plan)
 
 
 def starts_code(call: ccode.Call) -> bool:

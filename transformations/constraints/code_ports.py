@@ -13,7 +13,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
 from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, names_its_ports, negative_uses_of, pin_uses_of
 from robosmi.transformations.queries.flows.pointers import pointed_functions
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.waiting_calls import lacks_pin, ports_of_runs_bound
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.register_bits import register_bits
@@ -27,7 +27,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 
 def _correction(_: ccode.SourceUnit) -> str:
     """The advice for a number that is no port, with what the call does until then."""
-    if keeps_platform(the_move().plan):
+    if retains_platform(the_move().plan):
         return "correct the number; until then the target takes it for a pin of its own"
     return "correct the number; until then the call does nothing on the target"
 
@@ -43,7 +43,7 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     wrong += [use for use in negative_uses_of(view) if use.function not in _signed(m.plan)]
     numbers = sorted({use.pin for use in wrong if use.pin is not None})
     shown = numbers[:_SHOWN]
-    if keeps_platform(m.plan):
+    if retains_platform(m.plan):
         said = ", ".join(map(str, shown))
     else:
         said = "; ".join(f"{number}; functions that shift a bit by it change port {number % count}" for number in shown)

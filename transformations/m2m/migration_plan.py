@@ -31,8 +31,8 @@ from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, p
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform, kept_pins
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
+from robosmi.transformations.queries.plans.retained_pins import retained_pins, retains_platform
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import SourceText, words_of
 
@@ -231,8 +231,8 @@ def put_together(
         helpers=d.dependence.helpers,
     )
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
-    plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=kept_pins(plan)))
-    if keeps_platform(plan):
+    plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=retained_pins(plan)))
+    if retains_platform(plan):
         change_registers(d.views, d.bindings, d.files, _same_architecture(plan))
         explicit_enumerators(plan, d.files)
     settle_libraries(plan)

@@ -24,10 +24,10 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
-from robosmi.transformations.queries.plans.kept_pins import UNWIRED, ignores_unwired, lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, bound_pin, source_name
+from robosmi.transformations.queries.plans.retained_pins import UNWIRED, ignores_unwired, lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS
 from robosmi.transformations.queries.ports.idle_ports import is_idle

@@ -15,8 +15,8 @@ from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.kept_pins import ignores_unwired, keeps_platform, kept_calls
 from robosmi.transformations.queries.plans.plan import called
+from robosmi.transformations.queries.plans.retained_pins import ignores_unwired, retained_calls, retains_platform
 from robosmi.transformations.queries.plans.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS
@@ -165,8 +165,8 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
     """A sentence on how many calls work, and what the others lack."""
     calls = work.calls
     lost = f"{quantity(work.unread, 'call')} in unreadable text not counted"
-    if keeps_platform(plan):
-        count = kept_calls(plan)
+    if retains_platform(plan):
+        count = retained_calls(plan)
         said = f"{count} calls of the platform stay as they are" if count != 1 else "1 call of the platform stays as it is"
         left = sum(not task.done for task in plan.tasks if task.rule == DIFFERS)
         differ = f"{quantity(left, 'place')} behave{'s' * (left == 1)} differently, see Write"

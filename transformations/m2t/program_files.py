@@ -26,14 +26,14 @@ from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, separate_placeholders, with_own_types
 from robosmi.transformations.m2t.first_screen import Counted
-from robosmi.transformations.m2t.kept_text import MOVED_PINS, kept_parts, moved_pins
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
+from robosmi.transformations.m2t.retained_text import MOVED_PINS, moved_pins, retained_parts
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.circuits.connector_names import wire_name
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes
 
@@ -88,7 +88,7 @@ def program_files(
         raise UsageError(f"the target '{name}' has no sketch for the bench", fix=fix)
     g = Gen()
     assert plan.program is not None
-    kept = keeps_platform(plan)
+    kept = retains_platform(plan)
     late, changes = with_own_types(plan), all_changes(plan)
     texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
 
@@ -100,7 +100,7 @@ def program_files(
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         text = texts[unit]
         if kept:
-            return {"code": kept_parts(text)}
+            return {"code": retained_parts(text)}
         return (
             own_header(plan, text)
             if is_header(unit)

@@ -14,12 +14,12 @@ from msgspec.structs import replace
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
-from robosmi.transformations.m2t.kept_text import kept_name
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
+from robosmi.transformations.m2t.retained_text import retained_name
 from robosmi.transformations.queries.own_headers import headers_of_types, is_member, undeclared, undeclared_variables, unit_of
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import preserves_main, target_of
 from robosmi.transformations.queries.plans.plan_adapters import rest_levels
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.verdicts import IN_PLACE
 from robosmi.transformations.queries.programs.main_function import main_of
 from robosmi.transformations.queries.signature_text import declare
@@ -30,8 +30,8 @@ from robosmi.transformations.queries.width_types import retyped
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     """The file name of a unit in the sketch."""
-    if keeps_platform(plan):
-        return kept_name(unit, plan)
+    if retains_platform(plan):
+        return retained_name(unit, plan)
     own = str(unit.path.rpartition("/")[2])
     if is_header(unit):
         return header_file(own)

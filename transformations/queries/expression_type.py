@@ -279,7 +279,7 @@ def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[t
             if value is not None:
                 yield from _initial(value, element_type(kind))
     elif kind is not None and isinstance(kind.declaration, ccode.Record):
-        members = list(kind.declaration.fields)
+        members = [field for field in kind.declaration.fields if field.name or not is_padding(field)]
         places = {str(member.name): place for place, member in enumerate(members)}
         place = 0
         for element in expression.elements:
@@ -292,6 +292,12 @@ def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[t
                 return
             yield from _initial(value, wanted)
             place += 1
+
+
+def is_padding(field: ccode.Field) -> bool:
+    """Whether a member without a name is a gap of bits, which takes no initial value, and no anonymous record."""
+    kind = of_use(field.valueType)
+    return kind is not None and kind.arithmetic
 
 
 def _designated(element: ccode.Expression) -> tuple[str, ccode.Expression | None]:

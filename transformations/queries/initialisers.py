@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.queries.expression_type import nameless
+from robosmi.transformations.queries.expression_type import is_padding, nameless
 
 _DIMENSION = re.compile(r"\[[^\]]*\]")
 _NAMES = 20
@@ -69,6 +69,7 @@ def members_given(
     record = record_of(use)
     if record is None or use is None:
         return
+    members = [field for field in record.fields if field.name or not is_padding(field)]
     inside = [value for element in initialiser.elements if (value := value_in(element)) is not None]
     if use.arrayDims:
         inner = ccode.TypeUse(arrayDims=_DIMENSION.sub("", use.arrayDims, count=1) or None, declaration=record)
@@ -76,14 +77,14 @@ def members_given(
             if isinstance(one, ccode.InitializerList):
                 yield from members_given(inner, one)
             else:
-                yield from ((member, one) for member in record.fields)
+                yield from ((member, one) for member in members)
         return
-    places = {str(member.name): place for place, member in enumerate(record.fields)}
+    places = {str(member.name): place for place, member in enumerate(members)}
     place = 0
     for element, value in zip(initialiser.elements, inside, strict=True):
         left = element.left if isinstance(element, ccode.Assignment) and is_designated(element) else None
         place = places.get(str(left.name), place) if isinstance(left, ccode.Member) else place
-        member = record.fields[place] if place < len(record.fields) else None
+        member = members[place] if place < len(members) else None
         place += 1
         if member is None:
             continue

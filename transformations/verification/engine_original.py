@@ -38,7 +38,7 @@ _SECOND_S = 1.5
 """Seconds that a simulator takes for a simulated one, measured with an ATmega328P on a typical machine."""
 
 
-class BuiltOriginal(Struct, frozen=True):
+class CompiledOriginal(Struct, frozen=True):
     """The original, built for a clock.
 
     Attributes:
@@ -68,9 +68,9 @@ class EngineOriginal(Struct, frozen=True):
 
     board: platform.Board
     compiler: str
-    own: BuiltOriginal
-    traced: BuiltOriginal
-    slower: BuiltOriginal | None
+    own: CompiledOriginal
+    traced: CompiledOriginal
+    slower: CompiledOriginal | None
     lines: MachineLines
     engine: str
     tracer: str
@@ -118,7 +118,7 @@ class EngineOriginal(Struct, frozen=True):
         build = self.slower if variation is not None and variation.block_factor > 1 and self.slower is not None else self.own
         early = variation.early_part if variation is not None else 0.0
 
-        def asked(of: BuiltOriginal) -> Job:
+        def asked(of: CompiledOriginal) -> Job:
             made = job(of.elf, of.hex, self.board, horizon_us, devices, sorted(brief))
             return replace(made, clock_hz=round(of.clock_hz * (1 + early)), reached=of is self.traced)
 
@@ -199,7 +199,7 @@ def source_board_of(plan: migration.MigrationPlan) -> platform.Board | None:
 def engine_original(
     files: Mapping[str, bytes], main: str, platform_name: str, board: platform.Board, place: Path
 ) -> EngineOriginal:
-    """BuiltOriginal an original for its own board.
+    """CompiledOriginal an original for its own board.
 
     Args:
         files: path -> content of its files, relative to its folder.
@@ -235,7 +235,7 @@ def engine_original(
     return EngineOriginal(board, report.tool, own, traced, slower, lines, engines[0].name, tracers[0].name if tracers else "")
 
 
-def _built(sketch: Path, board: platform.Board, kept: Path, changed: Changed) -> tuple[BuiltOriginal, CompileReport]:
+def _built(sketch: Path, board: platform.Board, kept: Path, changed: Changed) -> tuple[CompiledOriginal, CompileReport]:
     """A build of the program.
 
     Raises:
@@ -248,7 +248,7 @@ def _built(sketch: Path, board: platform.Board, kept: Path, changed: Changed) ->
         first = errors[0] if errors else None
         where = first.location if first is not None else None
         raise VerificationError(first.message if first is not None else "it does not compile", location=where)
-    return BuiltOriginal(report.elf, report.hex, changed.clock_hz or board.clockHertz), report
+    return CompiledOriginal(report.elf, report.hex, changed.clock_hz or board.clockHertz), report
 
 
 def _own_file(files: Iterable[str], others: Sequence[str]) -> Callable[[str], str | None]:

@@ -132,7 +132,7 @@ class ModelComparison:
             if other is None:
                 yield self._record("removed", self._before, element, self._before.position(element), None)
                 continue
-            before, after = self._before.holder(element), self._after.holder(other)
+            before, after = self._before.container_of(element), self._after.container_of(other)
             stays = before[1] == after[1] and (before[0] is None) == (after[0] is None)
             stays = stays and (before[0] is None or self._matching.to_after.get(id(before[0])) is after[0])
             if not stays or id(element) in misplaced:
@@ -147,7 +147,9 @@ class ModelComparison:
 
     def _record(self, kind: str, facts: Facts, element: EObject, before: str | None, after: str | None) -> Difference:
         name = str(element.eClass.name)
-        return Difference(kind, facts.place_of(element), name, facts.holder(element)[1] or None, before, after, label(element))
+        return Difference(
+            kind, facts.place_of(element), name, facts.container_of(element)[1] or None, before, after, label(element)
+        )
 
     def _misplaced(self) -> set[int]:
         """Those elements of the first model that have the container they had, and stand before or behind others there."""

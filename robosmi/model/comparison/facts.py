@@ -41,10 +41,10 @@ class Facts:
         self._layouts = Layouts()
         self._columns: dict[type, list[Column]] = {}
         self._types: dict[EClass, str] = {}
-        self._holders: dict[int, tuple[EObject | None, str, int]] = {}
+        self._containers: dict[int, tuple[EObject | None, str, int]] = {}
         for container in (None, *self.elements):
             for name, children in self.children(container):
-                self._holders.update((id(child), (container, name, index)) for index, child in enumerate(children))
+                self._containers.update((id(child), (container, name, index)) for index, child in enumerate(children))
         self._digests: dict[int, int] = {}
 
     def columns(self, element: EObject) -> list[Column]:
@@ -132,15 +132,15 @@ class Facts:
                     found.append((column.name, str(compared(column, value))))
         return found
 
-    def holder(self, element: EObject) -> tuple[EObject | None, str]:
+    def container_of(self, element: EObject) -> tuple[EObject | None, str]:
         """The container of an element and the feature that contains it; none for a root of the model."""
-        return self._holders[id(element)][:2]
+        return self._containers[id(element)][:2]
 
     # --- as a person reads it
 
     def position(self, element: EObject) -> str:
         """Where an element is: its container, the feature, and its index there."""
-        container, name, index = self._holders[id(element)]
+        container, name, index = self._containers[id(element)]
         return f"root {index}" if container is None else f"{self.place_of(container)} {name}[{index}]"
 
     def place_of(self, element: EObject) -> str:

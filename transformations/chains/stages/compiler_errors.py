@@ -15,8 +15,8 @@ from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import Machine
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan import target_of
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.source_text import HEADERS, codec_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
@@ -40,7 +40,7 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
         plan: the plan.
         texts: path in the output folder -> the text that was made.
     """
-    folder, kept = f"{plan.name}/", keeps_platform(plan)
+    folder, kept = f"{plan.name}/", retains_platform(plan)
     made = {
         name.removeprefix(folder): text.encode("utf-8", "surrogateescape")
         for name, text in texts.items()

@@ -22,8 +22,8 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.text_changes import all_changes, decision_of, effective
 from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinCheck, PinNames, PinPlace, follow_pins
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
@@ -54,7 +54,7 @@ def pin_findings(
     dropped = _dropped(plan)
     taken: Iterable[tuple[str, Sequence[ccode.Call]]] = (
         ((str(use.targetName or use.name), use.calls) for use in plan.adapterUses)
-        if not keeps_platform(plan)
+        if not retains_platform(plan)
         else ((str(call.calleeName), [call]) for call in _calls_of_flows(plan))
     )
     calls: dict[str, list[ccode.Call]] = {}
@@ -87,7 +87,7 @@ def _finding(message: str, place: Location | None) -> Finding:
 
 def pin_names(plan: migration.MigrationPlan) -> PinNames:
     """What counts as a pin in the finished program of a plan."""
-    if keeps_platform(plan):
+    if retains_platform(plan):
         return _kept_names(plan)
     functions = {str(use.targetName or use.name): places for use in plan.adapterUses if (places := _pins_of(use))}
     functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}

@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.queries.expression_type import ValueType, of_use
+from robosmi.transformations.queries.expression_type import ValueType, is_padding, of_use
 
 MOST = 256
 """Limit on consecutive omitted elements that are written out as `{}`."""
@@ -77,13 +77,7 @@ def members_of(kind: ValueType | None) -> Sequence[ccode.Field]:
     """The members of a structure or union that take an initial value, in order; none for any other type."""
     record = kind.declaration if kind is not None and is_record(kind) else None
     fields = record.fields if isinstance(record, ccode.Record) else ()
-    return [field for field in fields if field.name or not _is_gap(field)]
-
-
-def _is_gap(field: ccode.Field) -> bool:
-    """Whether an unnamed member is padding (an unnamed bit field) rather than an anonymous record."""
-    kind = of_use(field.valueType)
-    return kind is not None and kind.arithmetic
+    return [field for field in fields if field.name or not is_padding(field)]
 
 
 def is_union(kind: ValueType | None) -> bool:

@@ -18,8 +18,8 @@ from robosmi.transformations.m2m.language.designated_lists import positional
 from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, POSITIONAL, RULES
 from robosmi.transformations.m2m.ports.port_texts import MOVES, explicit_enumerators, replacement
 from robosmi.transformations.queries.plans.binding_edits import writes
-from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, kept_pins
 from robosmi.transformations.queries.plans.port_pins import port_text
+from robosmi.transformations.queries.plans.retained_pins import AS_WRITTEN, retained_pins
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
 
@@ -69,7 +69,7 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
         ModelError: one port has two bindings, or a change of a port is in no source unit.
     """
     _decided_once(plan)
-    kept = kept_pins(plan)
+    kept = retained_pins(plan)
     for binding in plan.portBindings:
         for change in (c for c in binding.changes if c.rule in MOVES):
             text = _text_of(change, texts)

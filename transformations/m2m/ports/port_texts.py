@@ -23,8 +23,8 @@ from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
 from robosmi.transformations.queries.macros.tokens import name_tokens
-from robosmi.transformations.queries.plans.kept_pins import AS_WRITTEN, OF_INTERRUPT, KeptPins
 from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, bound_pin, text_in_place
+from robosmi.transformations.queries.plans.retained_pins import AS_WRITTEN, OF_INTERRUPT, RetainedPins
 from robosmi.transformations.queries.ports.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.values import Value
 
@@ -50,7 +50,7 @@ def port_changes(
     sources: Mapping[str, bytes],
     *,
     arrays: bool = False,
-    kept: KeptPins | None = None,
+    kept: RetainedPins | None = None,
 ) -> list[migration.PortFlow]:
     """Make the flows of a plan, and the text changes of flows and bindings.
 
@@ -98,7 +98,7 @@ def port_changes(
     return found
 
 
-def _own_numbers(each: FlowPorts, sources: Mapping[str, bytes], kept: KeptPins) -> Iterator[migration.TextChange]:
+def _own_numbers(each: FlowPorts, sources: Mapping[str, bytes], kept: RetainedPins) -> Iterator[migration.TextChange]:
     """Write the numbers of the source board in the place of its constants, where they get into a flow that is looked up."""
     ranges = [(unit, int(e.startOffset), int(e.endOffset)) for unit, e in (*each.flow.calculated, *each.flow.given)]
     ranges += [(place.unit, place.start, place.end) for place in each.flow.places]
@@ -115,7 +115,7 @@ def _own_numbers(each: FlowPorts, sources: Mapping[str, bytes], kept: KeptPins) 
             )  # fmt: skip
 
 
-def _alike(each: FlowPorts, numbers: Mapping[int, migration.PortBinding], kept: KeptPins) -> bool:
+def _alike(each: FlowPorts, numbers: Mapping[int, migration.PortBinding], kept: RetainedPins) -> bool:
     """Whether all numbers that a flow can have mean the pins that their ports are bound to."""
     labels = kept.target.labels
     bound = [(n, bound_pin(numbers[n])) for n in each.numbers if n in numbers]
@@ -212,7 +212,7 @@ def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:
 
 
 def _moved(
-    place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes], kept: KeptPins | None
+    place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes], kept: RetainedPins | None
 ) -> migration.TextChange:
     rule, text = replacement(binding, sources[place.unit.path][place.start : place.end], kept)
     return migration.TextChange(
@@ -240,7 +240,7 @@ def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> li
     ]  # fmt: skip
 
 
-def replacement(binding: migration.PortBinding, original: bytes, kept: KeptPins | None) -> tuple[str, str]:
+def replacement(binding: migration.PortBinding, original: bytes, kept: RetainedPins | None) -> tuple[str, str]:
     """The rule and the text of the change of a port's number; an enumerator keeps its name."""
     value, given, pin = text_in_place(binding), original.decode("utf-8", errors="replace"), bound_pin(binding)
     if kept is not None and pin is not None:

@@ -19,7 +19,7 @@ from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.constants.holder_uses import Holder
+from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
 from robosmi.transformations.queries.expression_type import of_use
@@ -91,7 +91,7 @@ def _written_at(sketch: MovedSketch, each: ccode.Declaration, bits: int) -> tupl
     return (str(unit.path), int(each.startOffset)) if fixed and unit is not None else None
 
 
-def _cured_times(sketch: MovedSketch, values: WrappedValues, holder: Holder) -> Iterator[SketchEdit]:
+def _cured_times(sketch: MovedSketch, values: WrappedValues, holder: Declared) -> Iterator[SketchEdit]:
     """Edits without changes that cure the places where a variable with its own width takes a time."""
     for view in sketch.views:
         at = {int(each.line) for each in (holder, *values.uses.of(holder)) if unit_of(each) is view.unit}

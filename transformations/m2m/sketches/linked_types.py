@@ -13,7 +13,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.constants.holder_uses import Holder, HolderUses
+from robosmi.transformations.queries.constants.declared_uses import Declared, DeclaredUses
 from robosmi.transformations.queries.expression_type import of_use
 
 Place = tuple[str, int]
@@ -42,11 +42,13 @@ class TypeLinks:
         written: a declaration -> where its type is written; None where it is written otherwise.
     """
 
-    def __init__(self, views: Sequence[CodeView], uses: HolderUses, written: Callable[[ccode.Declaration], Place | None]) -> None:
+    def __init__(
+        self, views: Sequence[CodeView], uses: DeclaredUses, written: Callable[[ccode.Declaration], Place | None]
+    ) -> None:
         self._views, self._uses = views, uses
-        self._by_place: dict[Place, list[Holder]] = {}
+        self._by_place: dict[Place, list[Declared]] = {}
         for view in views:
-            every: list[Holder] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter), *view.of_kind(ccode.Field)]
+            every: list[Declared] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter), *view.of_kind(ccode.Field)]
             for each in every:
                 if (place := written(each)) is not None:
                     self._by_place.setdefault(place, []).append(each)
@@ -141,11 +143,11 @@ class TypeLinks:
             yield from self._uses.holders(value) or (value,)
 
 
-def _points(holder: Holder) -> bool:
+def _points(holder: Declared) -> bool:
     return (kind := of_use(holder.valueType)) is not None and kind.depth > 0
 
 
-def _refers(holder: Holder) -> bool:
+def _refers(holder: Declared) -> bool:
     return holder.valueType is not None and "&" in str(holder.valueType.spelling)
 
 

@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.platforms.board_pins import BoardPins
-from robosmi.transformations.queries.plans.kept_pins import PROPOSED
+from robosmi.transformations.queries.plans.retained_pins import PROPOSED
 from robosmi.transformations.queries.ports.ports import Port
 
 SAME = "the same pin on both boards"

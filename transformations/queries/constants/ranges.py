@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
-from robosmi.transformations.queries.constants.holder_uses import HolderUses
+from robosmi.transformations.queries.constants.declared_uses import DeclaredUses
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
@@ -55,7 +55,7 @@ class Ranges:
     def __init__(
         self, numbers: Numbers, values: Values, program: ccode.Program,
         results: Mapping[str, tuple[int, int]] = MappingProxyType({}), wrapping: Collection[int] = (),
-        uses: HolderUses | None = None,
+        uses: DeclaredUses | None = None,
     ) -> None:  # fmt: skip
         self.numbers = numbers
         self._results, self._wrapping, self._uses = results, wrapping, uses

@@ -14,7 +14,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.constants.holder_uses import Holder, HolderUses
+from robosmi.transformations.queries.constants.declared_uses import Declared, DeclaredUses
 from robosmi.transformations.queries.constants.ranges import Range, Ranges
 from robosmi.transformations.queries.expression_type import FunctionType, of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number, Numbers
@@ -39,7 +39,7 @@ class WrappedValues:
     def __init__(self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]]) -> None:
         self.views, self.here, self.there, self._results = views, here, there, results
         self._wrapping: set[int] = set()
-        self.uses = HolderUses(views)
+        self.uses = DeclaredUses(views)
         self._ranges = self._made()
         for _ in range(_ROUNDS):  # what takes the value of a variable that wraps may wrap as well
             found = {id(each) for each in self._holders if self._leaves(each)}
@@ -72,9 +72,9 @@ class WrappedValues:
         return found
 
     @cached_property
-    def _holders(self) -> list[Holder]:
+    def _holders(self) -> list[Declared]:
         """What is of the type int, signed or not, an array of it, or a pointer or reference to it."""
-        every: list[Holder] = []
+        every: list[Declared] = []
         for view in self.views:
             every += [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter), *view.of_kind(ccode.Field)]
         return [each for each in every if self.is_int(each.valueType)]
@@ -95,7 +95,7 @@ class WrappedValues:
         return self.here.number(self._aliases.get(base, base))
 
     @property
-    def variables(self) -> list[Holder]:
+    def variables(self) -> list[Declared]:
         """The variables, parameters and members that may leave 16 bits, or whose numbers may, in text order."""
         return [each for each in self._holders if id(each) in self._wrapping]
 
@@ -120,7 +120,7 @@ class WrappedValues:
 
     # ---- variables
 
-    def _leaves(self, holder: Holder) -> bool:
+    def _leaves(self, holder: Declared) -> bool:
         number, points = self._number_in(holder.valueType), _points(holder)
         if number is None:
             return False
@@ -150,13 +150,13 @@ class WrappedValues:
         found = self._ranges.of(expression)
         return found is not None and not found.within(number.least, number.most)
 
-    def _grows_by(self, value: ccode.Expression | None, holder: Holder) -> bool:
+    def _grows_by(self, value: ccode.Expression | None, holder: Declared) -> bool:
         """Whether an assigned value is the old one with something added, so that no range tells where it ends."""
         if self._ranges.of(value) is not None and not self.wraps(holder):
             return False
         return self._grows(value, holder)
 
-    def _grows(self, value: ccode.Expression | None, holder: Holder) -> bool:
+    def _grows(self, value: ccode.Expression | None, holder: Declared) -> bool:
         while isinstance(value, (ccode.Cast, ccode.Unary)):
             value = value.operand
         if isinstance(value, ccode.ConditionalExpression):
@@ -167,7 +167,7 @@ class WrappedValues:
             return isinstance(value, ccode.Binary) and value.operator in _GROWING
         return any(self._mentions(each, holder) and self._grows(each, holder) for each in ways)
 
-    def _bounded(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
+    def _bounded(self, written: ccode.Assignment | ccode.Unary, holder: Declared) -> bool:
         """Whether a loop of known length bounds a step, or a comparison that guards it or sets the variable."""
         loop = written.eContainer()
         if isinstance(loop, ccode.For) and loop.step is written:
@@ -193,7 +193,7 @@ class WrappedValues:
                 return True
         return False
 
-    def _compared(self, condition: ccode.Expression | None, holder: Holder) -> bool:
+    def _compared(self, condition: ccode.Expression | None, holder: Declared) -> bool:
         """Whether a condition compares a variable with a value that is known to lie within its type."""
         if isinstance(condition, ccode.Binary) and condition.operator in ("&&", "||"):
             return self._compared(condition.left, holder) or self._compared(condition.right, holder)
@@ -207,7 +207,7 @@ class WrappedValues:
                 return found is None or found.within(number.least, number.most)
         return False
 
-    def _few_rounds(self, written: ccode.Assignment | ccode.Unary, holder: Holder) -> bool:
+    def _few_rounds(self, written: ccode.Assignment | ccode.Unary, holder: Declared) -> bool:
         """Whether a local variable is only added to in loops of known length, by known values, and so stays within its type."""
         if not isinstance(holder, ccode.Variable) or holder.storage is ccode.Storage.staticStorage:
             return False
@@ -231,7 +231,7 @@ class WrappedValues:
             low, high = low + rounds * min(least, 0), high + rounds * max(most, 0)
         return number.least <= low and high <= number.most
 
-    def _rounds(self, step: Element, holder: Holder) -> int | None:
+    def _rounds(self, step: Element, holder: Declared) -> int | None:
         """How often a statement runs each time a variable is made; None if that is not known."""
         inside = holder.eContainer()
         while inside is not None and not isinstance(inside, (ccode.Block, ccode.Function)):
@@ -311,14 +311,14 @@ class WrappedValues:
             return to is None or to.real or to.bits > number.bits
         return not isinstance(outer, (ccode.ExpressionStatement, ccode.For))
 
-    def _cuts(self, holder: Holder) -> bool:
+    def _cuts(self, holder: Declared) -> bool:
         """Whether what is stored in a variable is cut to 16 bits there, on the target as well."""
         if self.wraps(holder):
             return True
         kind = self._number_in(holder.valueType)
         return kind is not None and not kind.real and kind.fixed and kind.bits <= self.here.int_bits
 
-    def _mentions(self, expression: ccode.Expression | None, holder: Holder) -> bool:
+    def _mentions(self, expression: ccode.Expression | None, holder: Declared) -> bool:
         inside = [expression, *all_contents(expression)] if expression is not None else []
         return any(holder is found for each in inside for found in self.uses.holders(each))
 
@@ -330,7 +330,7 @@ def _object(place: ccode.Expression | None) -> ccode.Expression | None:
     return place
 
 
-def _points(holder: Holder) -> bool:
+def _points(holder: Declared) -> bool:
     """Whether a variable is a pointer, so that its numbers are where it points."""
     return holder.valueType is not None and bool(holder.valueType.pointerDepth)
 

@@ -60,7 +60,7 @@ class Classes:
         """Whether the program declares a class."""
         return name in self._records
 
-    def is_seen(self, name: str) -> bool:
+    def is_visible(self, name: str) -> bool:
         """Whether the text makes objects of a class of the program with arguments."""
         return name in self._constructors and name in self._made
 

@@ -357,7 +357,7 @@ class FlowReader:
         """Keep the numbers of what constructors and operators are given, since the code model does not have their calls."""
         around = function.eContainer()
         constructor = isinstance(around, ccode.Record) and function.name == around.name
-        hidden = str(function.name).startswith("operator") or (constructor and not self._classes.is_seen(str(function.name)))
+        hidden = str(function.name).startswith("operator") or (constructor and not self._classes.is_visible(str(function.name)))
         for parameter in function.parameters if hidden else ():
             self.flows.freeze(self.key(parameter), f"'{function.name}' is given it without a call in the text", computed=True)
 
@@ -397,7 +397,7 @@ class FlowReader:
             record = self._classes.around(made)
             field = next((f for f in record.fields if f.name == made.name), None) if record is not None else None
             name, count = str(made.name) if field is None else type_name(field.valueType), len(made.arguments)
-            if field is not None and count == 1 and not self._classes.is_seen(name) and not self.constructor_pins(name, view):
+            if field is not None and count == 1 and not self._classes.is_visible(name) and not self.constructor_pins(name, view):
                 return True
         else:
             return False

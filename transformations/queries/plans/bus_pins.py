@@ -10,7 +10,7 @@ from msgspec import Struct
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 
 USB = "USB"
 """What stands for the pins of a serial port that is the board's USB."""
@@ -34,7 +34,7 @@ class BusPin(Struct, frozen=True):
 
 def bus_pins(plan: migration.MigrationPlan) -> list[BusPin]:
     """The pins of the buses that a program uses whose platform stays; none for any other."""
-    if not keeps_platform(plan) or plan.source is None or plan.program is None or plan.board is None:
+    if not retains_platform(plan) or plan.source is None or plan.program is None or plan.board is None:
         return []
     old = next((each.board for each in plan.source.boardMappings if each.board is not None), None)
     if old is None:

@@ -6,8 +6,8 @@ from robosmi.metamodels import migration, platform
 from robosmi.query import root_of
 from robosmi.transformations.knowledge.platforms.board_pins import board_pins
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.plans.kept_pins import keeps_platform
 from robosmi.transformations.queries.plans.plan_adapters import emitted
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 
 NOT_WIRED = "none"
 """The recorded choice of a port that a person declared not to be wired."""
@@ -42,7 +42,7 @@ def port_text(binding: migration.PortBinding) -> str | None:
 
     A program whose platform stays has no constants for connections.
     """
-    if binding.connection is not None and not keeps_platform(root_of(binding)):
+    if binding.connection is not None and not retains_platform(root_of(binding)):
         return str(binding.connection.name)
     pin = bound_pin(binding)
     return pin_literal(pin) if pin is not None else None

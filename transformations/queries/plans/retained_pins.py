@@ -29,7 +29,7 @@ UNWIRED = "unwired_pin"
 _ENUMERATOR = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:=|\Z)")
 
 
-def keeps_platform(plan: object) -> bool:
+def retains_platform(plan: object) -> bool:
     """Whether a plan moves a program to another board of its platform, so that the text stays as it is."""
     return (
         isinstance(plan, migration.MigrationPlan)
@@ -39,7 +39,7 @@ def keeps_platform(plan: object) -> bool:
     )
 
 
-class KeptPins(Struct, frozen=True):
+class RetainedPins(Struct, frozen=True):
     """The pins of the two boards of a move.
 
     Attributes:
@@ -84,7 +84,7 @@ def proposed(plan: migration.MigrationPlan) -> list[migration.PortBinding]:
     return [b for b in by_rule if b.connection is None and b.confidence == PROPOSED]
 
 
-def kept_calls(plan: migration.MigrationPlan) -> int:
+def retained_calls(plan: migration.MigrationPlan) -> int:
     """How many calls in the text run functions of the platform or of its libraries."""
     units = list(plan.program.units) if plan.program is not None else []
     calls = (call for unit in units for call in all_of_kind(unit, ccode.Call) if not call.viaMacro)
@@ -96,7 +96,7 @@ def lost_pin_calls(plan: migration.MigrationPlan) -> set[tuple[str, int]] | None
 
     In a program whose platform stays, the text of any other such call means the same as before.
     """
-    if not keeps_platform(plan) or plan.source is None or plan.program is None:
+    if not retains_platform(plan) or plan.source is None or plan.program is None:
         return None
     taking = {function for function, _ in ApiIndex.load(str(plan.source.name)).functions_with_pins()}
     lost = ((unit, each) for unit in plan.program.units for each in unit.unresolved)
@@ -108,15 +108,15 @@ def ignores_unwired(plan: migration.MigrationPlan) -> bool:
 
     Adapters see to it. A program whose platform stays has none, so it depends on the target's core.
     """
-    if not keeps_platform(plan) or plan.source is None:
+    if not retains_platform(plan) or plan.source is None:
         return True
     facts, chip = portability_facts(str(plan.source.name)), plan.board.microcontroller if plan.board is not None else None
     return chip is not None and facts is not None and UNWIRED in facts.move_to(str(chip.name), str(chip.architecture)).same
 
 
-def kept_pins(plan: object) -> KeptPins | None:
+def retained_pins(plan: object) -> RetainedPins | None:
     """The pins of the boards of a plan whose platform stays; None for any other plan."""
-    if not isinstance(plan, migration.MigrationPlan) or not keeps_platform(plan):
+    if not isinstance(plan, migration.MigrationPlan) or not retains_platform(plan):
         return None
     assert plan.source is not None
     assert plan.target is not None
@@ -127,9 +127,9 @@ def kept_pins(plan: object) -> KeptPins | None:
     settings = api.settings.get("ports", {})
     boards = [next((m.board for m in each.boardMappings if m.board is not None), None) for each in (plan.source, plan.target)]
     kinds = [str(b.microcontroller.architecture) if b is not None and b.microcontroller is not None else "" for b in boards]
-    return KeptPins(source, target, kinds[0] == kinds[1], str(settings.get("interrupt_of", "")), api.pin_constants)
+    return RetainedPins(source, target, kinds[0] == kinds[1], str(settings.get("interrupt_of", "")), api.pin_constants)
 
 
-def kept_pins_of(binding: migration.PortBinding) -> KeptPins | None:
+def retained_pins_of(binding: migration.PortBinding) -> RetainedPins | None:
     """The pins of the boards of a binding's plan, if its platform stays."""
-    return kept_pins(root_of(binding))
+    return retained_pins(root_of(binding))

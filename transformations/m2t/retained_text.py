@@ -8,8 +8,8 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.main_text import MainPart
-from robosmi.transformations.queries.plans.kept_pins import kept_pins
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, port_text
+from robosmi.transformations.queries.plans.retained_pins import retained_pins
 from robosmi.transformations.queries.source_text import Piece, SourceText
 from robosmi.transformations.queries.text_changes import decision_of
 
@@ -21,7 +21,7 @@ STORED = "source/"
 """The folder of the models that contains the copies of the program's files, as they lie in the program's own folder."""
 
 
-def kept_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
+def retained_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     """The place of a unit in the sketch: the one that it has in the program; the first one has the sketch's name."""
     target = plan.targetDescription
     own = str(unit.path).removeprefix(STORED)
@@ -40,7 +40,7 @@ class MovedPin(Struct, frozen=True):
 
 def moved_pins(plan: migration.MigrationPlan) -> dict[str, Any]:
     """The values of the header in which a program looks up pins that it has as numbers."""
-    kept = kept_pins(plan)
+    kept = retained_pins(plan)
     assert kept is not None
     found = {int(b.sourcePin): text for b in plan.portBindings if b.sourcePin >= 0 and (text := port_text(b)) is not None}
     labels = kept.source.labels
@@ -52,7 +52,7 @@ def moved_pins(plan: migration.MigrationPlan) -> dict[str, Any]:
     }
 
 
-def kept_parts(source: SourceText) -> list[MainPart]:
+def retained_parts(source: SourceText) -> list[MainPart]:
     """The text of a unit, in runs of whole lines with the elements that they come from.
 
     A unit that looks up pins begins with an include of the header that has them.

@@ -11,10 +11,10 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import type_of
 
-Holder = ccode.Variable | ccode.Parameter | ccode.Field
+Declared = ccode.Variable | ccode.Parameter | ccode.Field
 
 
-class HolderUses:
+class DeclaredUses:
     """The uses of what holds values.
 
     Args:
@@ -55,7 +55,7 @@ class HolderUses:
         """The expressions that name a variable, parameter or member."""
         return [*holder.references, *self._members.get(id(holder), ())]
 
-    def holders(self, expression: Element | None) -> list[Holder]:
+    def holders(self, expression: Element | None) -> list[Declared]:
         """What an expression names: one variable or parameter, or the members that it may be."""
         if isinstance(expression, ccode.Member):
             return list(self._fields_of(expression))

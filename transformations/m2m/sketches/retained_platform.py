@@ -25,7 +25,7 @@ from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import words_of
 
 
-def keep_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[PortabilityPlace]]:
+def retain_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[PortabilityPlace]]:
     """Decide what happens to each element of a program.
 
     Args:

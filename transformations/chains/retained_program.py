@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from robosmi.transformations.queries.portability.board_move import BoardMove
 
 
-class KeptProgram(Struct, frozen=True):
+class RetainedProgram(Struct, frozen=True):
     """A program whose platform stays.
 
     Attributes:
@@ -53,15 +53,15 @@ def new_board(
     return NewBoard(board, pins, api.board, source_board.facts.board_model, settings.get("abilities", {}), labels)
 
 
-def kept_program(
+def retained_program(
     program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, source_board: SourceBoard | None
-) -> KeptProgram | None:
+) -> RetainedProgram | None:
     """What happens to a program whose platform stays; None for a program of another platform than the target's."""
     facts = portability_facts(api.name)
     if target.platform != api.name or source_board is None or facts is None:
         return None
     # a program that changes its platform needs none of these
-    from robosmi.transformations.m2m.sketches.kept_platform import keep_platform
+    from robosmi.transformations.m2m.sketches.retained_platform import retain_platform
     from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
     from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
     from robosmi.transformations.queries.portability.places import portability
@@ -74,5 +74,5 @@ def kept_program(
     mappings = list(own.boardMappings) if own is not None else []
     clock_hz = int(source_board.facts.board_model.clockHertz)
     sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz, facts.kinds)
-    dependence, left = keep_platform(sketch, trace)
-    return KeptProgram(move, (dependence, trace), left)
+    dependence, left = retain_platform(sketch, trace)
+    return RetainedProgram(move, (dependence, trace), left)
