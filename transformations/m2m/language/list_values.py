@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.queries.expression_type import ValueType, is_padding, of_use
+from robosmi.transformations.queries.expression_type import ValueType, is_padding
 
 MOST = 256
 """Limit on consecutive omitted elements that are written out as `{}`."""
