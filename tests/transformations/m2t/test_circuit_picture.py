@@ -91,7 +91,7 @@ def overlaid(picture: str) -> list[str]:
     wrong = []
     for wire in drawn_wires(etree.fromstring(picture.encode())):
         numbers = [float(number) for number in _NUMBER.findall(wire.get("d", ""))]
-        trunk = wire.get("data-net") or wire.get("data-from", "")  # one line for several wires
+        trunk = str(wire.get("data-net") or wire.get("data-from", ""))  # one line for several wires
         for (x, y), (a, b) in pairwise(zip(numbers[::2], numbers[1::2], strict=True)):
             if x != a and y != b:
                 wrong.append(trunk)
