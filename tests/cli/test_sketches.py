@@ -91,12 +91,3 @@ def test_the_facts_are_what_the_headers_declare() -> None:
         assert {k: v for k, v in content.items() if k not in ("source", "registers")} == {
             k: v for k, v in found[header].items() if k not in ("source", "registers")
         }
-
-
-def test_migrate_says_what_works_for_a_sketch_today(tmp_path: Path) -> None:
-    outcome = run("migrate", SKETCH / "two_tabs.ino", "--target", "pico", "-o", tmp_path / "out", "--json")
-    assert outcome.code == 3
-    [finding] = outcome.document["findings"]
-    assert finding["location"]["path"].endswith("two_tabs.ino")
-    assert "analyse" in finding["fix"]
-    assert not (tmp_path / "out").exists()

@@ -102,9 +102,10 @@ def test_values_of_yaml_toml_and_csv_are_whole() -> None:
 
 
 def test_each_of_our_templates_declares_what_it_makes() -> None:
-    """But the one for Python packages, which another engine fills with what the generator of packages has quoted."""
+    """But the one for Python packages, which another engine fills with what the generator of packages has quoted, and the page of a
+    corpus, which Jinja's own escaping fills."""
     found = sorted(resources.built_in("templates").rglob("*.j2"))
     assert len(found) >= 9
     for path in found:
-        if path.parent.name != "metamodel":
+        if path.parent.name not in ("metamodel", "corpus"):
             assert path.read_text(encoding="utf-8").startswith('{% quoting "'), path

@@ -273,7 +273,7 @@ def test_a_rule_whose_function_does_not_fit_and_a_name_that_is_taken(tmp_path: P
     g = Gen(tmp_path, {}, [L])
     with pytest.raises(RuleError, match="has 0 parameters"):
         g.rule(L.Book, template="t")(lambda: None)
-    with pytest.raises(RuleError, match="has 1 parameters"):
+    with pytest.raises(RuleError, match="has 1 parameter"):
         g.rule(template="t")(lambda b: None)
     g.rule(template="t", name="R")(lambda: None)
     with pytest.raises(RuleError, match="two rules are called R"):

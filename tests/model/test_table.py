@@ -51,7 +51,7 @@ def test_a_folder_is_a_model_of_several_tables(tmp_path: Path) -> None:
     ("content", "line", "said"),
     [
         (b"", None, "no line with the names"),
-        (b"a,b\n1,2\n1\n1,2,3\n", None, "line 3 has 1 cells instead of 2; line 4 has 3 cells instead of 2"),
+        (b"a,b\n1,2\n1\n1,2,3\n", None, "line 3 has 1 cell instead of 2; line 4 has 3 cells instead of 2"),
         (b"a,a\n", 1, "a column has no name"),
         (b"a,\n", 1, "a column has no name"),
         (b"a,b\n1,\xff\n", 2, "no UTF-8"),

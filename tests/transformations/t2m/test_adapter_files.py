@@ -198,7 +198,7 @@ def test_what_an_architecture_lacks_is_not_served_there(tmp_path: Path) -> None:
         (f"{LOW}//#   symmetric: pin ms\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'low' has no parameter 'ms'"),
         (f"{LOW}void high(int32_t pin, int32_t us) {{}}\n", 2, "has no 'low'"),
         (f"{LOW}//#   name: c_low\nvoid low(int32_t pin, int32_t us) {{ c_low(); }}\n", 5, "does not define a function 'c_low'"),
-        (f"{LOW}void low(int32_t pin) {{}}\n", 3, "takes 1 parameters, 'void low(int pin, int us)' has 2"),
+        (f"{LOW}void low(int32_t pin) {{}}\n", 3, "takes 1 parameter, 'void low(int pin, int us)' has 2"),
         (
             "//# header a.h\n//# adapter x\n//#   for: int y(int)\n//#   kind: oneToOne\nint x(int) {}\n",
             3,
