@@ -102,8 +102,8 @@ def test_values_of_yaml_toml_and_csv_are_whole() -> None:
 
 
 def test_each_of_our_templates_declares_what_it_makes() -> None:
-    """But the one for Python packages, which another engine fills with what the generator of packages has quoted, and the page of a
-    corpus, which Jinja's own escaping fills."""
+    """But the one for Python packages, which another engine fills with what the generator of packages has quoted, and the page of
+    a corpus, which Jinja's own escaping fills."""
     found = sorted(resources.built_in("templates").rglob("*.j2"))
     assert len(found) >= 9
     for path in found:
