@@ -1,10 +1,13 @@
-"""The memory that processes take, as Linux tells it in /proc; other systems tell nothing here."""
+"""The processes that a process has started, their end, and the memory that they take, as Linux tells it in /proc; other systems
+tell nothing here.
+"""
 
 from __future__ import annotations
 
 import os
+import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -22,6 +25,13 @@ def descendants(process: int) -> Iterator[int]:
                 for child in map(int, inputs.read_text(f"/proc/{process}/task/{task}/children", inputs.SETTINGS).split()):
                     yield child
                     yield from descendants(child)
+
+
+def kill(processes: Iterable[int]) -> None:
+    """Kill processes, some of which may have ended."""
+    for each in list(processes):
+        with suppress(ProcessLookupError, PermissionError):
+            os.kill(each, signal.SIGKILL)
 
 
 def resident(process: int) -> int:

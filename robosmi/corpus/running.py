@@ -16,6 +16,7 @@ from msgspec import Struct
 
 from robosmi.base.data_text import json_written
 from robosmi.base.file_locks import lock_now, unlock
+from robosmi.base.quantities import quantity
 from robosmi.corpus.digests import Digests, digest_of_files, digest_of_text, tool_version
 from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramWork
 from robosmi.corpus.programs import ProgramSource, program_sources
@@ -271,8 +272,9 @@ class CorpusRun:
         if summary.failed + summary.timeout + summary.too_large > SHOWN:
             self.findings.append(_more("programs failed", "failed", Severity.error, "RS920"))
         if summary.no_longer_listed:
+            count = quantity(summary.no_longer_listed, "program")
             self.findings.append(Finding(
-                "RS922", Severity.info, f"the store has {summary.no_longer_listed} programs that the specification no longer has",
+                "RS922", Severity.info, f"the store has {count} that the specification no longer has",
                 Location(str(self.spec.path)), fix="leave them out of your queries: WHERE listed",
             ))  # fmt: skip
 

@@ -69,18 +69,8 @@ def _listen(jobs: SimpleQueue[bytes]) -> None:
     """Hand on each line of the input; at its end this process is no longer wanted."""
     for line in sys.stdin.buffer:
         jobs.put(line)
-    for each in list(memory.descendants(os.getpid())):
-        with_no_mercy(each)
+    memory.kill(memory.descendants(os.getpid()))
     os._exit(0)
-
-
-def with_no_mercy(process: int) -> None:
-    """Kill a process that may have ended."""
-    import signal
-    from contextlib import suppress
-
-    with suppress(ProcessLookupError, PermissionError):
-        os.kill(process, signal.SIGKILL)
 
 
 def answer(line: bytes, send: Send) -> None:
@@ -109,9 +99,8 @@ def run_program(job: ProgramJob, send: Send) -> None:
     work = job.work
     try:
         files = {path: digest_of(path) for path in content("chain", "corpus_files")(work)}
-    except Exception as error:  # the steps will say what is wrong with the program
+    except Exception:  # the steps will say what is wrong with the program
         files = {work.path: digest_of(work.path)}
-        del error
     send({"files": files})
     if work.output:
         shutil.rmtree(work.output, ignore_errors=True)  # the results of an earlier run

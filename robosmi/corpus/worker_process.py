@@ -225,9 +225,7 @@ class WorkerProcess:
         with suppress(ProcessLookupError, PermissionError):
             if process.poll() is None and hasattr(signal, "SIGSTOP"):
                 os.kill(process.pid, signal.SIGSTOP)  # so that it starts nothing while it is looked at
-        for each in [process.pid, *memory.descendants(process.pid)]:
-            with suppress(ProcessLookupError, PermissionError):
-                os.kill(each, signal.SIGKILL)
+        memory.kill([process.pid, *memory.descendants(process.pid)])
         process.wait()
         with suppress(OSError, ValueError):
             if process.stdin is not None:
