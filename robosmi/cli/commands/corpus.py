@@ -10,6 +10,7 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from robosmi.base.progress_events import announce, remark
+from robosmi.base.quantities import quantity
 from robosmi.cli.common import output_folder
 from robosmi.errors import SourceError, UsageError
 from robosmi.report import Report
@@ -125,8 +126,8 @@ def _run(arguments: _Arguments, report: Report) -> None:
     if done.programs and done.skipped == done.programs:
         report.ok, report.failure_code = False, SourceError.exit_code
     report.lines = [
-        f"{done.programs} programs: {done.done} done, {done.failed} failed, {done.timeout} timeout, {done.too_large} too large, "
-        f"{done.skipped} skipped",
+        f"{quantity(done.programs, 'program')}: {done.done} done, {done.failed} failed, {done.timeout} timeout, "
+        f"{done.too_large} too large, {done.skipped} skipped",
         f"  {done.run} run in {done.seconds:.1f} s, {done.unchanged} unchanged",
         f"  store: {done.store}",
     ]

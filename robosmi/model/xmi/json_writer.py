@@ -19,11 +19,12 @@ from robosmi.model.elements import ecore
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import is_of_ecore
-from robosmi.model.elements.proxies import is_local, proxy_uri, uri_from
-from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
+from robosmi.model.elements.proxies import proxy_uri
+from robosmi.model.elements.pyecore_internals import set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.json_parser import CLASS, ID, LINK
-from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column, Layouts
-from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
+from robosmi.model.xmi.written_file import WrittenFile
+from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column
+from robosmi.model.xmi.xmi_locations import Unplaced, XmiLocations, metamodel_uri, relative
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Value
@@ -50,15 +51,12 @@ def to_json(name: str, roots: Sequence[EObject], places: XmiLocations, indent: s
     return f"{''.join(_pieces(trees[0] if len(trees) == 1 else trees, indent))}\n".encode()
 
 
-class _Writer:
+class _Writer(WrittenFile):
     """One file."""
 
     def __init__(self, name: str, places: XmiLocations) -> None:
-        self.name = name
-        self.places = places
-        self.layouts = Layouts()
+        super().__init__(name, places)
         self.classes: dict[EClass, str] = {}
-        self.ids: dict[str, EObject] = {}
 
     def tree(self, root: EObject) -> dict[str, Json]:
         """An element with all that it contains, as JSON has it."""
@@ -155,13 +153,10 @@ class _Writer:
         found: list[Json] = []
         for given in held:
             child = real(given)
-            if proxy_uri(child) is None and container_of(child) is not element:
-                what = f"contains {shown(child)}, whose container is {shown(container_of(child))}"
-                raise self.problem(element, column, what, "put the element into one container")
+            if proxy_uri(child) is None:
+                self.check_container(element, column, child)
             if proxy_uri(child) is not None or id(child) in self.places.nested:
-                if self.place(element, column, child)[0] == self.name:
-                    fix = "take it out of the roots, or out of here"
-                    raise self.problem(element, column, f"contains {shown(child)}, which is a root", fix)
+                self.check_no_root(element, column, child)
                 found.append(self.link(element, column, child))
                 continue
             part: dict[str, Json] = {} if child.eClass is column.declared else {CLASS: self.class_uri(child.eClass)}
@@ -172,34 +167,9 @@ class _Writer:
     # --- places
 
     def identify(self, element: EObject, made: dict[str, Json]) -> None:
-        """Write the xmi:id, and make sure that no id is used twice."""
-        try:
-            identity = self.places.identity(element)
-        except UnusableId as error:
-            fix = "let ids begin with another character than '/'"
-            raise self.problem(element, None, f"has the id '{error}', which would be read as a path", fix) from None
-        if identity is None:
-            return
-        other = self.ids.setdefault(identity, element)
-        if other is not element:
-            fix = "give every element of a file an id of its own"
-            raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
-        if xmi_id_of(element) is not None:
+        """Write the xmi:id."""
+        if (identity := self.identity(element)) is not None:
             made[ID] = identity
-
-    def place(self, element: EObject, column: Column, target: EObject) -> tuple[str, str]:
-        """File and fragment of a target."""
-        if proxy_uri(target) is not None:
-            return self.name if is_local(target) else "", uri_from(target, self.places.folder)
-        try:
-            return self.places.find(target)
-        except UnusableId as error:
-            what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
-            raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
-        except Unplaced:
-            what = f"refers to {shown(target)}, which is in none of the models that have a file"
-            fix = "add the target to a model, save that model first so that it has a file, or remove the reference"
-            raise self.problem(element, column, what, fix) from None
 
     def link(self, element: EObject, column: Column, target: EObject) -> Json:
         """A reference, with the class of its target."""
@@ -221,11 +191,6 @@ class _Writer:
                     fix="give its package a namespace in the .ecore file",
                 ) from None
         return found
-
-    def problem(self, element: EObject, column: Column | None, what: str, fix: str) -> ModelError:
-        """The error for an element or a value."""
-        name = f".{column.name}" if column is not None else ""
-        return ModelError(f"{self.name}: {shown(element)}{name} {what}", fix=fix)
 
 
 class _Number(float):

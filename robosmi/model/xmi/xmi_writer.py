@@ -17,10 +17,11 @@ from robosmi.model.elements.compact_slots import UNBOXED_TYPES, collector_at_res
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import as_package
-from robosmi.model.elements.proxies import is_local, proxy_uri, uri_from
+from robosmi.model.elements.proxies import proxy_uri
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
-from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column, Layouts
-from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
+from robosmi.model.xmi.written_file import WrittenFile
+from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column
+from robosmi.model.xmi.xmi_locations import Unplaced, XmiLocations, metamodel_uri, relative, shown
 from robosmi.model.xmi.xml_characters import in_attribute, in_text, refuse_forbidden
 
 if TYPE_CHECKING:
@@ -68,21 +69,17 @@ def roots_in(given: Root) -> list[EObject]:
     return [as_package(root) if isinstance(root, ModuleType) else root for root in roots]
 
 
-class _Writer:
+class _Writer(WrittenFile):
     """One file."""
 
     def __init__(self, name: str, roots: list[EObject], places: XmiLocations, schema_locations: Mapping[str, str]) -> None:
         self.schema_locations = schema_locations
-        self.name = name
+        super().__init__(name, places)
         self.roots = roots
-        self.places = places
-        self.layouts = Layouts()
         self.prefixes: dict[str, str] = {"xmi": "http://www.omg.org/XMI"}  # prefix -> namespace
         self.qualified: dict[EClass, str] = {}
         self.uses_xsi = False
-        self.ids: dict[str, EObject] = {}
         self.local: dict[int, str] = {}  # elements of this file that were referred to -> their fragments
-        self.found: dict[int, tuple[str, str]] = {}  # elements that were referred to -> their files and fragments
         self.elsewhere: dict[int, str] = {}  # elements of other files that were referred to -> their links as they are written
 
     def write(self) -> bytes:
@@ -253,25 +250,9 @@ class _Writer:
         except ValueError as error:
             raise ModelError(f"{self.name}: {error}", fix="remove the character from the source") from None
 
-    def problem(self, element: EObject, column: Column | None, what: str, fix: str) -> ModelError:
-        """The error for a value."""
-        name = f".{column.name}" if column is not None else ""
-        return ModelError(f"{self.name}: {shown(element)}{name} {what}", fix=fix)
-
     def identify(self, element: EObject, append: Append) -> None:
-        """Write the xmi:id, and make sure that no id is used twice."""
-        try:
-            identity = self.places.identity(element)
-        except UnusableId as error:
-            fix = "let ids begin with another character than '/'"
-            raise self.problem(element, None, f"has the id '{error}', which would be read as a path", fix) from None
-        if identity is None:
-            return
-        other = self.ids.setdefault(identity, element)
-        if other is not element:
-            fix = "give every element of a file an id of its own"
-            raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
-        if xmi_id_of(element) is not None:
+        """Write the xmi:id."""
+        if (identity := self.identity(element)) is not None:
             append(f' xmi:id="{in_attribute(identity)}"')
 
     def nothing(
@@ -368,26 +349,6 @@ class _Writer:
             later = self.more(later, self.href(element, column, real(given), indent))
         return later
 
-    def place(self, element: EObject, column: Column, target: EObject) -> tuple[str, str]:
-        """File and fragment of a target."""
-        known = self.found.get(id(target))
-        if known is not None:
-            return known
-        if proxy_uri(target) is not None:
-            known = (self.name if is_local(target) else "", uri_from(target, self.places.folder))
-            self.found[id(target)] = known
-            return known
-        try:
-            known = self.found[id(target)] = self.places.find(target)
-        except UnusableId as error:
-            what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
-            raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
-        except Unplaced:
-            what = f"refers to {shown(target)}, which is in none of the models that have a file"
-            fix = "add the target to a model, save that model first so that it has a file, or remove the reference"
-            raise self.problem(element, column, what, fix) from None
-        return known
-
     def href(self, element: EObject, column: Column, target: EObject, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
@@ -412,9 +373,7 @@ class _Writer:
         child = real(child)
         if proxy_uri(child) is not None:
             return self.more(later, self.href(element, column, child, indent))
-        if container_of(child) is not element:
-            what = f"contains {shown(child)}, whose container is {shown(container_of(child))}"
-            raise self.problem(element, column, what, "put the element into one container")
+        self.check_container(element, column, child)
         if id(child) not in self.places.nested:
             eclass = child.eClass
             kind = ""
@@ -423,7 +382,5 @@ class _Writer:
                 kind = f' xsi:type="{self.name_of(eclass)}"'
             begun = column.rendered[child.__class__] = f"<{column.name}{kind}"
             return self.more(later, (begun, column.name, child))
-        if self.place(element, column, child)[0] == self.name:
-            fix = "take it out of the roots, or out of here"
-            raise self.problem(element, column, f"contains {shown(child)}, which is a root", fix)
+        self.check_no_root(element, column, child)
         return self.more(later, self.href(element, column, child, indent))
