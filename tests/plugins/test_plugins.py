@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import Any
 
@@ -271,7 +272,10 @@ OURS = "[console_scripts]\nx = y:z\n\n[robosmi.transformations]\nbuiltin = robos
         ("a", "[robosmi.transformations]\nchecks = checks_plugin:register\n", False),
     ],
 )
-def test_whether_others_offer_something_is_seen_at_a_glance(name: str, text: str, offers: bool, tmp_path: Path) -> None:
+def test_whether_others_offer_something_is_seen_at_a_glance(
+    name: str, text: str, offers: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "meta_path", [PathFinder])  # another test may have loaded a package that brings a finder
     (tmp_path / name).mkdir()
     (tmp_path / name / "entry_points.txt").write_text(text, errors="surrogateescape")
     assert others_may_offer([str(tmp_path / "nowhere"), str(tmp_path)]) is offers

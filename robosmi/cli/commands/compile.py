@@ -42,7 +42,10 @@ def run(arguments: _Arguments) -> Report:
     report.artifacts = compiled.artifacts()
     report.lines = _lines(compiled)
     if report.ok:
-        report.next = command_line("verify", arguments.output)
+        migrated = (arguments.output / "models").is_dir()  # a sketch of one's own has no original to compare with
+        report.next = (
+            command_line("verify", arguments.output) if migrated else command_line("upload", arguments.output, "--port", "PORT")
+        )
     return report
 
 
