@@ -134,7 +134,7 @@ class _Handler(BaseHTTPRequestHandler):
                 about = json_of(self.rfile.read(int(length)))
             except (ValueError, RecursionError):
                 about = None
-            if not isinstance(about, dict) or path not in ("choose", "undo", "tick"):
+            if not isinstance(about, dict) or path not in ("choose", "undo", "tick", "accept"):
                 self._json(HTTPStatus.BAD_REQUEST, _refused("the request is malformed"))
                 return
             with self.server.turn:

@@ -87,12 +87,13 @@ class Served:
         return list(self.script(found, choice))
 
     def go(self, choice: str, value: str) -> None:
-        """Go to an answer with the Tab key alone."""
+        """Go to an answer with the Tab key alone; a decided choice is unfolded before."""
         from selenium.webdriver.common.action_chains import ActionChains
         from selenium.webdriver.common.keys import Keys
 
+        self.script("const its = document.querySelector(`details[data-choice=\"${arguments[0]}\"]`); if (its) its.open = true", choice)
         steps = self.script(
-            "const all = [...document.querySelectorAll('a[href], button, input, [tabindex=\"0\"]')]"
+            "const all = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex=\"0\"]')]"
             ".filter(e => e.checkVisibility());"
             "const to = all.findIndex(e => e.dataset.option === arguments[1]"
             " && e.closest('[data-choice]')?.dataset.choice === arguments[0]);"

@@ -67,7 +67,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "counts": _counts(judged),
         "groups": [*(_group(u, judged) for u in (plan.program.units if plan.program else [])), *_outside(judged)],
         "adapters": [_adapter(a, of_macros) for a in plan.adapterUses],
-        "limits": _limits(plan),
+        "limits": known_differences(plan),
         "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
 
@@ -222,7 +222,7 @@ def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, 
     }  # fmt: skip
 
 
-def _limits(plan: migration.MigrationPlan) -> list[dict[str, str]]:
+def known_differences(plan: migration.MigrationPlan) -> list[dict[str, str]]:
     """The limits of adapters, each once with the functions that have it."""
     found: dict[str, list[str]] = {}
     for use in plan.adapterUses:
