@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from robosmi.diagnostics import Finding, Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import again_when_changed
 from robosmi.files.files import digest
@@ -24,6 +24,9 @@ from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.sources import project_folder
 from robosmi.transformations.m2t.task_list import VERDICT_RULES
 from robosmi.transformations.queries.plans.plan import as_findings
+
+_UNREADABLE = "RS902"
+"""The rule for a file that cannot be read."""
 
 
 @again_when_changed
@@ -58,18 +61,20 @@ def accept(output: Path, accepted: Accepted, *, source: Path | None = None, seen
 def judged_findings(models: MigrationModels, output: Path, source: Path | None = None) -> list[Finding]:
     """The findings of a stored plan without its verdict, as the project file beside the sources judges them.
 
+    A project file that cannot be read is a finding, too, and judges nothing.
+
     Args:
         models: the stored plan and its models.
         output: its folder.
         source: as for `accept`.
-
-    Raises:
-        SourceError: the project file cannot be read.
     """
     place, _ = project_folder(output, models.plan, source)
-    project = load_project(place) if place is not None else Project()
-    report = Report("page")
+    report, project, faults = Report("page"), Project(), list[Finding]()
+    try:
+        project = load_project(place) if place is not None else project
+    except SourceError as error:
+        faults = [Finding(_UNREADABLE, Severity.error, error.message, error.location, fix=error.fix)]
     plan_findings = Q(f for f in models.plan.findings if str(f.rule) not in VERDICT_RULES)
-    report.findings = [*models.notes, *as_findings(plan_findings, models.places)]
+    report.findings = [*faults, *models.notes, *as_findings(plan_findings, models.places)]
     report.judge(project.severity, project.accept)
     return sorted(report.findings, key=lambda finding: -finding.severity)

@@ -65,6 +65,7 @@ class PlanPage:
     Attributes:
         plan: the digest of the plan that the sections were made of.
         sections: name -> HTML.
+        acceptable: rule and element of each finding that a person may say is on purpose.
     """
 
     def __init__(self, output: Path, source: Path | None = None) -> None:
@@ -73,7 +74,7 @@ class PlanPage:
         self._held: MigrationModels | None = None
         self._templates = Gen(templates=_built_in())
         self._shown, self._rows = dict[Rows, str](), dict[Rows, str]()
-        self._acceptable = set[tuple[str, str]]()
+        self.acceptable = set[tuple[str, str]]()
 
     def now(self) -> str:
         """The digest of the currently stored plan; empty if there is none."""
@@ -175,7 +176,7 @@ class PlanPage:
         """Store that findings are on purpose, or that they are no longer."""
         accepted = Accepted(*(str(about.get(name, "")).strip() for name in ("rule", "element", "reason")))
         row = accepted.rule, accepted.element
-        if max(map(len, (*row, accepted.reason))) > _LONGEST or row not in self._acceptable:
+        if max(map(len, (*row, accepted.reason))) > _LONGEST or row not in self.acceptable:
             raise UsageError("not a finding of this page", fix="load the page again")
         accept(self.output, accepted, source=self.source, seen=shown)
         self._make(stored_models(self.output))
@@ -218,7 +219,7 @@ class PlanPage:
         picture = drawn.decode("utf-8", "replace") if said is not None and said.picture else ""
         findings = judged_findings(models, self.output, self.source)
         check = page_sections.check(plan, findings)
-        self._acceptable = {(row[0], row[4]) for group in check["groups"] for chunk in group["chunks"] for row in chunk if row[4]}
+        self.acceptable = {(row[0], row[4]) for group in check["groups"] for chunk in group["chunks"] for row in chunk if row[4]}
         first = page_sections.works(plan, files, known, findings)
         values: dict[str, dict[str, Any]] = {
             "works": first,

@@ -15,12 +15,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
-from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
-from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, counted, first_screen, task_place
+from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, result_in_words, task_place
 from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, known_differences
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key
@@ -28,7 +27,7 @@ from robosmi.transformations.queries.circuits.connector_names import displayed_n
 from robosmi.transformations.queries.plans.answers import answer
 from robosmi.transformations.queries.plans.bus_pins import bus_pins
 from robosmi.transformations.queries.plans.choices import AvailableChoice, Choice, Option, available_choices, choices, reason
-from robosmi.transformations.queries.plans.plan import as_findings, open_choices
+from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
 from robosmi.transformations.queries.plans.verdicts import verdict_counts
 from robosmi.transformations.queries.reports.work import Work
@@ -56,7 +55,7 @@ def works(
     screen = first_screen(plan, sources, known=known)
     counts = verdict_counts(known.judged)
     errors = [finding_row(finding) for finding in findings if finding.severity is Severity.error]
-    state, result = _result(plan, screen, len(errors))
+    state, result = result_in_words(plan, screen, len(errors))
     return {
         "state": state, "result": result, "errors": errors[:_SHOWN], "more_errors": len(errors[_SHOWN:]),
         "differences": [(row["functions"], row["limit"]) for row in known_differences(plan)],
@@ -65,32 +64,6 @@ def works(
         "moved": move_text(plan),
         "verdicts": [(name.replace("_", " "), count) for name, count in counts.items() if name != "total" and count],
     }  # fmt: skip
-
-
-def _result(plan: migration.MigrationPlan, screen: FirstScreen, errors: int) -> tuple[str, str]:
-    """The state of a migration, and the same in words: what a person has to do, or what is known about the sketch."""
-    work = Work(plan)
-    verdict = next((str(finding.rule) for finding in plan.findings if finding.rule in VERDICT_RULES), "")
-    to_write = sum(not task.done for task in work.write)
-    left = [
-        (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", ""),
-        (len(screen.shortages), "resource", "the board lacks"),
-    ]  # fmt: skip
-    needs = [f"{quantity(count, what)}{f' {why}' if why else ''}" for count, what, why in left if count]
-    if needs:
-        return "needs-you", f"Needs you: {', '.join(needs)}"
-    if verdict in _RESULTS:
-        return _RESULTS[verdict]
-    return "not-verified", "Not verified: everything is decided, but the sketch was not compared with the original"
-
-
-_RESULTS = {
-    "RS850": ("works", "Works: no difference found between the original and the sketch"),
-    "RS851": ("needs-you", "Needs you: the sketch behaves differently from the original"),
-    "RS852": ("not-verified", "Not verified: the comparison with the original could not decide"),
-    "RS853": ("needs-you", "Needs you: the sketch does not compile"),
-}
-"""Rule of a verdict -> the state of the migration, and the same in words."""
 
 
 def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
