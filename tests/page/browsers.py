@@ -54,9 +54,9 @@ class Served:
         """The value of a piece of JavaScript, run by the driver and not by the page."""
         return self.browser.execute_script(text, *values)
 
-    def wait(self, condition: Callable[[], Any]) -> Any:
+    def wait(self, condition: Callable[[], Any], patience: float = PATIENCE) -> Any:
         """Wait until something holds."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + patience
         while not (found := condition()):
             assert time.monotonic() < end, f"{self.state()}: {self.told()}"
             time.sleep(0.02)
@@ -91,7 +91,9 @@ class Served:
         from selenium.webdriver.common.action_chains import ActionChains
         from selenium.webdriver.common.keys import Keys
 
-        self.script("const its = document.querySelector(`details[data-choice=\"${arguments[0]}\"]`); if (its) its.open = true", choice)
+        self.script(
+            'const its = document.querySelector(`details[data-choice="${arguments[0]}"]`); if (its) its.open = true', choice
+        )
         steps = self.script(
             "const all = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex=\"0\"]')]"
             ".filter(e => e.checkVisibility());"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +10,6 @@ import pytest
 
 import robosmi
 from robosmi.project import load_project
-from robosmi.report.page_server import PageServer
 from robosmi.transformations.chains.page import PlanPage
 from tests.page.browsers import Served
 from tests.running import run
@@ -46,7 +45,8 @@ def shown(page: Served, selector: str) -> list[str]:
     """The texts of the elements that are displayed."""
     return list(
         page.script(
-            "return [...document.querySelectorAll(arguments[0])].filter(e => e.checkVisibility()).map(e => e.textContent)", selector
+            "return [...document.querySelectorAll(arguments[0])].filter(e => e.checkVisibility()).map(e => e.textContent)",
+            selector,
         )
     )
 
@@ -58,7 +58,9 @@ def test_the_first_screen_has_the_result_and_the_circuit(migrated: Any, serve: S
     try:
         page.open()
         for name in ("result", "circuit"):
-            top, bottom = page.script("const r = document.getElementById(arguments[0]).getBoundingClientRect(); return [r.top, r.bottom]", name)
+            top, bottom = page.script(
+                "const r = document.getElementById(arguments[0]).getBoundingClientRect(); return [r.top, r.bottom]", name
+            )
             assert 0 <= top < page.script("return innerHeight") - 100, name
             assert bottom > top
     finally:
@@ -80,7 +82,9 @@ def test_a_wire_shows_its_port_its_lines_and_its_findings(migrated: Any, serve: 
     assert "8: const int LED = 8;" in facts
     assert page.script("return document.querySelectorAll('#circuit .wire.picked').length") > 0
     assert page.script("return document.getElementById('wire').value") == "D12"
-    page.script("const s = document.getElementById('wire'); s.value = 'D10'; s.dispatchEvent(new Event('change', {bubbles: true}))")
+    page.script(
+        "const s = document.getElementById('wire'); s.value = 'D10'; s.dispatchEvent(new Event('change', {bubbles: true}))"
+    )
     (facts,) = shown(page, "[data-wire]")
     assert "RS240" in facts
 
@@ -99,7 +103,8 @@ def test_a_question_highlights_its_wire(migrated: Any, serve: Serve) -> None:
 def test_questions_name_parts_and_show_three_lines(out: Path, serve: Serve) -> None:
     page = serve(out)
     page.open()
-    named = page.script("return Object.fromEntries([...document.querySelectorAll('[data-choice=\"port:P3\"] [data-option]')].map(e => [e.dataset.option, e.textContent]))")
+    options = "[...document.querySelectorAll('[data-choice=\"port:P3\"] [data-option]')]"
+    named = page.script(f"return Object.fromEntries({options}.map(e => [e.dataset.option, e.textContent]))")
     assert "near lamp (D5)" in named.values()
     assert named["none"] == "Not connected"
     lines = page.script("return document.querySelector('[data-choice=\"port:P3\"] .context').textContent").splitlines()
@@ -139,53 +144,63 @@ def test_what_is_decided_is_folded_to_a_line_and_can_be_changed(out: Path, serve
     assert page.script(f"return document.querySelector('[data-choice=\"{first}\"]').dataset.chosen") == values[-1]
 
 
-def test_a_finding_is_on_purpose_with_a_reason_until_it_is_taken_back(out: Path, serve: Serve) -> None:
+REASON = 'it has a "divider" inside'
+
+
+def test_a_finding_is_on_purpose_with_a_reason_until_it_is_taken_back(migrated: Any, serve: Serve) -> None:
+    (source, *_), _, out = migrated("line_follower")
     page = serve(out)
     page.open()
-    button = "document.querySelector('[data-accept]')"
-    rule, element = page.script(f"return [{button}.dataset.accept, {button}.dataset.element]")
+    button = "document.querySelector('[data-accept=RS240]')"
+    element = page.script(f"return {button}.dataset.element")
     page.script(f"{button}.click()")
-    page.script("document.querySelector('form.accept input').value = 'it has a \"resistor\" inside'; document.querySelector('form.accept button').click()")
+    page.script("document.querySelector('form.accept input').value = arguments[0]", REASON)
+    page.script("document.querySelector('form.accept button').click()")
     page.wait(lambda: "on purpose" in page.told())
     assert page.state() == "saved", page.told()
-    (entry,) = load_project(out.parent).accept
-    assert (entry.rule, entry.element, entry.reason) == (rule, element, 'it has a "resistor" inside')
-    again = run("check", out / "models" / "plan.xmi", "--json")
-    assert [f for f in again.document["findings"] if f["rule"] == rule and f["severity"] == "warning"] == []
+    (entry,) = load_project(source.parent).accept
+    assert (entry.rule, entry.element, entry.reason) == ("RS240", element, REASON)
+    found = run("wiring", out, "--as", "csv", "-o", source.parent / "w.csv", "--json").document["findings"]
+    assert [f for f in found if f["rule"] == "RS911"] == []
     page.open()
-    assert any('it has a "resistor" inside' in text for text in shown(page, "#check .finding"))
+    assert any(REASON in text for text in shown(page, "#check .finding"))
     page.script("document.querySelector('[data-accept][data-reason]').click()")
     page.wait(lambda: "no longer" in page.told())
-    assert not load_project(out.parent).accept
+    assert not load_project(source.parent).accept
 
 
-@pytest.fixture
-def page_of(out: Path) -> Iterator[PlanPage]:
-    """Its page without a browser, as it was shown."""
+@pytest.mark.parametrize(
+    "about",
+    [
+        {},
+        {"rule": "RS999", "element": "*", "reason": "x"},
+        {"rule": "RS240", "element": "no such part", "reason": "x"},
+        {"rule": "RS240", "element": "HIH4030 1", "reason": "x" * 301},
+    ],
+)
+def test_only_findings_of_the_page_are_accepted(about: dict[str, str], migrated: Any) -> None:
+    (source, *_), _, out = migrated("line_follower")
     page = PlanPage(out)
     page.document(live=True, nonce="n")
-    yield page
-
-
-@pytest.mark.parametrize("about", [{}, {"rule": "RS999", "element": "*", "reason": "x"}, {"rule": "RS234", "element": "no such part", "reason": "x"}])
-def test_only_findings_of_the_page_are_accepted(about: dict[str, str], page_of: PlanPage, out: Path) -> None:
-    answer = page_of.act("accept", {**about, "plan": page_of.now()})
+    answer = page.act("accept", {**about, "plan": page.now()})
     assert answer["state"] == "refused"
-    assert not (out.parent / "robosmi.toml").exists()
+    assert not (source.parent / "robosmi.toml").exists()
 
 
-def test_undo_takes_an_accepted_finding_back(page_of: PlanPage, out: Path) -> None:
-    (rule, element) = min(page_of.acceptable)
-    assert page_of.act("accept", {"rule": rule, "element": element, "reason": "tiny", "plan": page_of.now()})["state"] == "saved"
-    assert load_project(out.parent).accept
-    assert page_of.act("undo", {"plan": page_of.now()})["state"] == "saved"
-    assert not load_project(out.parent).accept
+def test_undo_takes_an_accepted_finding_back(migrated: Any) -> None:
+    (source, *_), _, out = migrated("line_follower")
+    page = PlanPage(out)
+    page.document(live=True, nonce="n")
+    rule, element = min(page.acceptable)
+    assert page.act("accept", {"rule": rule, "element": element, "reason": "tiny", "plan": page.now()})["state"] == "saved"
+    assert load_project(source.parent).accept
+    assert page.act("undo", {"plan": page.now()})["state"] == "saved"
+    assert not load_project(source.parent).accept
 
 
-def test_a_damaged_project_file_is_a_finding_and_the_page_stays(page_of: PlanPage, out: Path) -> None:
+def test_a_damaged_project_file_is_a_finding_and_the_page_stays(out: Path) -> None:
     (out.parent / "robosmi.toml").write_text("[bind\n")
     text = PlanPage(out).document(live=True, nonce="n")
-    assert "robosmi.toml" in text
     assert "RS902" in text
     assert 'data-choice="port:P3"' in text
 

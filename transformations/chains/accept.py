@@ -74,7 +74,7 @@ def judged_findings(models: MigrationModels, output: Path, source: Path | None =
         project = load_project(place) if place is not None else project
     except SourceError as error:
         faults = [Finding(_UNREADABLE, Severity.error, error.message, error.location, fix=error.fix)]
-    plan_findings = Q(f for f in models.plan.findings if str(f.rule) not in VERDICT_RULES)
-    report.findings = [*faults, *models.notes, *as_findings(plan_findings, models.places)]
+    own = as_findings(Q(f for f in models.plan.findings if str(f.rule) not in VERDICT_RULES), models.places)
+    report.findings = [*faults, *models.notes, *own]
     report.judge(project.severity, project.accept)
     return sorted(report.findings, key=lambda finding: -finding.severity)

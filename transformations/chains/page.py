@@ -24,6 +24,7 @@ from robosmi.generate.output_paths import Places
 from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
 from robosmi.model.elements.compact_slots import collector_at_rest
+from robosmi.plugins import content
 from robosmi.project import Accepted
 from robosmi.transformations.chains.accept import accept, judged_findings
 from robosmi.transformations.chains.choose import STAYS, choose
@@ -41,8 +42,8 @@ from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, tas
 from robosmi.transformations.verification.judgement.stored_verdict import set_verdict, stored_verdict
 
 SECTIONS = {
-    "works": "What works", "wiring": "Circuit", "decide": "Decide", "write": "Write", "check": "Check", "verdict": "Verdict",
-    "code": "Code", "history": "History",
+    "works": "What works", "wiring": "Circuit", "decide": "Decide", "write": "Write", "check": "Check", "watch": "Watch",
+    "verdict": "Verdict", "code": "Code", "history": "History",
 }  # fmt: skip
 """The sections in order, with their headings."""
 Row = tuple[str, ...]
@@ -61,6 +62,8 @@ class PlanPage:
     Args:
         output: the folder.
         source: a source of the program, beside which robosmi.toml lies, where that is not known.
+        engine: name of the simulator that runs the program; the first that is installed if None.
+        shown: the names of the sections of the page.
 
     Attributes:
         plan: the digest of the plan that the sections were made of.
@@ -68,8 +71,12 @@ class PlanPage:
         acceptable: rule and element of each finding that a person may say is on purpose.
     """
 
-    def __init__(self, output: Path, source: Path | None = None) -> None:
-        self.output, self.source = output, source
+    def __init__(
+        self, output: Path, source: Path | None = None, *, engine: str | None = None, shown: Sequence[str] = tuple(SECTIONS)
+    ) -> None:
+        self.output, self.source, self.shown = output, source, shown
+        self._watched: Any = None
+        self._engine = engine
         self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
         self._held: MigrationModels | None = None
         self._templates = Gen(templates=_built_in())
@@ -98,8 +105,9 @@ class PlanPage:
             self._make(stored_models(self.output), live=live)
         return str(
             self._templates.text(
-                "page.html.j2", live=live, plan=self.plan, head=_head(live, nonce), foot=_script(nonce),
-                sections=[(name, label, self.sections[name]) for name, label in SECTIONS.items()], **self.facts,
+                "page.html.j2", live=live, decides="decide" in self.shown,
+                plan=self.plan, head=_head(live, nonce), foot=_script(nonce),
+                sections=[(name, SECTIONS[name], self.sections[name]) for name in self.shown], **self.facts,
             )
         )  # fmt: skip
 
@@ -135,10 +143,17 @@ class PlanPage:
             "state": state, "message": message, "plan": self.plan, "now": self.plan, "command": command, "diff": changes,
             "sections": {
                 name: changed(same[name], text) if name in same else text
-                for name, text in self.sections.items() if same.get(name) != text
+                for name, text in self.sections.items() if same.get(name) != text and name in self.shown
             },
             **{name: self.facts[name] for name in ("open", "decided", "progress", "result_state", "result")},
         }  # fmt: skip
+
+    def watch(self, about: Mapping[str, Json]) -> dict[str, Any]:
+        """Run the original and the migrated program side by side; see `watch.WatchedFolder.answer`."""
+        if self._watched is None:
+            self._watched = content("chain", "watch")(self.output, self._engine)  # few pages run a program
+        answer: dict[str, Any] = self._watched.answer(about)
+        return answer
 
     def _do(self, what: str, about: Mapping[str, Json], shown: str) -> tuple[str, str, str]:
         """Perform the action; returns the message, the equivalent command, and the diff."""
@@ -228,6 +243,7 @@ class PlanPage:
             "check": check,
             "code": page_code.side_by_side(plan, files, texts),
             "wiring": page_sections.wiring(plan, files, findings),
+            "watch": {},
             "verdict": page_sections.verdict(plan, picture, models.places),
             "history": page_sections.history(plan),
         }
@@ -235,7 +251,12 @@ class PlanPage:
         self.sections = {
             name: str(
                 self._templates.text(
-                    "section.html.j2", name=name, live=live, output=str(self.output), written=partial(self._written, live=live), **given
+                    "section.html.j2",
+                    name=name,
+                    live=live,
+                    output=str(self.output),
+                    written=partial(self._written, live=live),
+                    **given,
                 )
             )
             for name, given in values.items()
@@ -323,7 +344,7 @@ def _head(live: bool, nonce: str) -> str:
 
 
 def _script(nonce: str) -> str:
-    return f'<script nonce="{nonce}">\n{_text("page.js")}</script>'
+    return f'<script nonce="{nonce}">\n{_text("page.js")}{_text("watch.js")}</script>'
 
 
 def _text(name: str) -> str:

@@ -312,18 +312,16 @@ def wiring(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
     return {"rows": rows, "picture": picture, "wires": _wires(plan, sources, wrong) if picture else []}
 
 
-def _wires(
-    plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]
-) -> list[dict[str, Json]]:
+def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]) -> list[dict[str, Json]]:
     """For each pin of the board that something is wired to: its parts, ports, source lines and findings."""
     parts: dict[str, list[str]] = {}
     elements: dict[str, set[str]] = {}
     for wire in plan.connections:
         if wire.pin is not None and wire.component is not None:
-            parts.setdefault(str(wire.pin.label), []).append(f"{wire.component.title} {', '.join(displayed_names(wire.connectors))}")
-            elements.setdefault(str(wire.pin.label), set()).update(
-                str(each.elementId) for each in (wire.component, *wire.via)
+            parts.setdefault(str(wire.pin.label), []).append(
+                f"{wire.component.title} {', '.join(displayed_names(wire.connectors))}"
             )
+            elements.setdefault(str(wire.pin.label), set()).update(str(each.elementId) for each in (wire.component, *wire.via))
     used: dict[str, list[migration.PortBinding]] = {}
     for binding in plan.portBindings:
         for pin in _pins_of(binding):
