@@ -4,7 +4,7 @@
 (() => {
   const by = id => document.getElementById(id), section = by("watch");
   if (!section || !("live" in document.body.dataset)) return;
-  const FIRST = 5000, LONGEST = 60000, SIDES = ["original", "migrated"], QUIET = 1500;
+  const FIRST = 5000, LONGEST = 60000, SIDES = ["original", "migrated"], QUIET = 1500, tab = crypto.randomUUID();
   let run = null, at = 0, playing = false, before = 0, asking = 0, compareLater = 0, sound = null;
 
   async function ask(about) {
@@ -29,11 +29,11 @@
     if (!compare) say(run ? "Simulating ..." : "Compiling and simulating both programs ...", "busy");
     let answer;
     try {
-      answer = await ask({ ...about, compare });
+      answer = await ask({ ...about, compare, tab, number: mine });
     } catch {
       answer = { state: "refused", message: "The server does not answer. Run robosmi open again and use its new page." };
     }
-    if (mine !== asking) return false; // another input was moved meanwhile
+    if (mine !== asking || answer.state === "superseded") return false; // another input was moved meanwhile
     if (answer.state !== "done") {
       say(answer.message, "refused");
       stop();
@@ -216,11 +216,7 @@
     before = now;
     at = Math.min(end, at + passed);
     show(passed);
-    if (!run.scenario && !run.longer && end < LONGEST && at > end / 2) {
-      run.longer = true;
-      load(asked(Math.min(LONGEST, 2 * end))); // the run goes on without a halt where the simulator is fast enough
-    }
-    if (at >= end && (run.scenario || end >= LONGEST)) pause();
+    if (at >= end) pause();
     else requestAnimationFrame(frame);
   }
 
@@ -235,8 +231,17 @@
   function pause() {
     playing = false;
     delete section.dataset.playing;
-    by("pause").textContent = "Continue";
+    by("pause").textContent = atEnd() ? "Simulate longer" : "Continue";
     tone(0);
+  }
+
+  function atEnd() {
+    return run && at >= run.ms && run.ms < LONGEST && !(run.scenario && !run.changed);
+  }
+
+  async function go() {
+    if (atEnd() && !(await load(asked(Math.min(LONGEST, 2 * run.ms))))) return;
+    play();
   }
 
   function stop() {
@@ -293,7 +298,7 @@
     const target = event.target.closest("button");
     if (!target) return;
     if ("run" in target.dataset) target.dataset.run === "running" ? (++asking, clearTimeout(compareLater), say("Stopped."), stop()) : start();
-    else if (target.id === "pause") playing ? pause() : play();
+    else if (target.id === "pause") playing ? pause() : go();
     else if (target.id === "step") step();
     else if (target.id === "save") save();
     else if ("input" in target.dataset) move(target, shownValue(target.input) === 1 ? 0 : 1);

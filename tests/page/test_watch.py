@@ -145,6 +145,14 @@ def test_a_sketch_that_does_not_compile_is_said(out: Path) -> None:
     assert "compile" in answer["message"]
 
 
+def test_of_runs_that_wait_only_the_last_is_done(out: Path) -> None:
+    watched = WatchedFolder(out)
+    assert watched.answer({"ms": 200, "tab": "a", "number": 5})["state"] == "done"
+    assert watched.answer({"ms": 200, "tab": "a", "number": 4})["state"] == "superseded"
+    assert watched.answer({"ms": 200, "tab": "b", "number": 1})["state"] == "done"
+    watched.close()
+
+
 @pytest.mark.parametrize(
     ("event", "wheel", "state"),
     [

@@ -46,6 +46,8 @@ SECTIONS = {
     "verdict": "Verdict", "code": "Code", "history": "History",
 }  # fmt: skip
 """The sections in order, with their headings."""
+_BESIDE = ("works", "wiring", "decide")
+"""The first sections: on a wide screen the circuit stays beside the others."""
 Row = tuple[str, ...]
 """The displayed form of a finding, or of a line of code."""
 Rows = tuple[str, bool, tuple[Row, ...]]
@@ -103,11 +105,15 @@ class PlanPage:
         """
         if not live or not self.sections or self.plan != self.now():
             self._make(stored_models(self.output), live=live)
+        sections = [(name, SECTIONS[name], self.sections[name]) for name in self.shown]
+        groups = [
+            ("first", [each for each in sections if each[0] in _BESIDE]),
+            ("others", [each for each in sections if each[0] not in _BESIDE]),
+        ]
         return str(
             self._templates.text(
-                "page.html.j2", live=live, decides="decide" in self.shown,
-                plan=self.plan, head=_head(live, nonce), foot=_script(nonce),
-                sections=[(name, SECTIONS[name], self.sections[name]) for name in self.shown], **self.facts,
+                "page.html.j2", live=live, decides="decide" in self.shown, plan=self.plan, head=_head(live, nonce),
+                foot=_script(nonce), sections=sections, groups=groups, **self.facts,
             )
         )  # fmt: skip
 

@@ -96,6 +96,7 @@ class WatchedFolder:
         self._turn, self._held = Lock(), ExitStack()
         self._programs: Programs | None = None
         self._digests: Mapping[str, str] = {}
+        self._latest: dict[str, int] = {}
 
     def close(self) -> None:
         """Remove the files of both programs."""
@@ -108,14 +109,20 @@ class WatchedFolder:
         Args:
             about: `list`, if only the names of the stored test cases are asked for; `scenario`, the name of a stored test case,
                 or empty; `ms`, how long the run is; `inputs`, a list of `title`, `setting` and `points`; `compare`, whether to
-                find the first difference; `save`, the name of the test case to store, if it is to be stored.
+                find the first difference; `save`, the name of the test case to store, if it is to be stored; `tab` and `number`,
+                the page and how many runs it has asked for: of those that wait, only the last is done.
 
         Returns:
-            `state` (done or refused) with a `message`, and of a run what `_shown` says.
+            `state` (done, refused or superseded) with a `message`, and of a run what `_shown` says.
         """
         if about.get("list") is True:
             return {"state": "done", "cases": self.cases()}
+        tab, number = str(about.get("tab", ""))[:_LONGEST_NAME], about.get("number")
+        if isinstance(number, int):
+            self._latest[tab] = max(number, self._latest.get(tab, number))
         with self._turn:
+            if isinstance(number, int) and number < self._latest[tab]:
+                return {"state": "superseded", "message": "Another input was moved meanwhile."}
             try:
                 scenario = self._scenario(about)
                 if name := str(about.get("save", "")):
