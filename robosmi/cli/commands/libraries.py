@@ -1,4 +1,4 @@
-"""`robosmi libraries import DIR`, `install NAME` and `show NAME`: libraries on this machine, in the user's own index, and their API."""
+"""`robosmi libraries import DIR`, `install NAME` and `show NAME`: libraries on this machine, in the user's index, and their API."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def configure(parser: ActionOptions) -> None:
         dest="source",
         metavar="FILE",
         type=Path,
-        help="zip file or folder of the library (default: arduino-cli gets it)",
+        help="zip file or folder of the library (default: by arduino-cli)",
     )
     installing.add_argument(
         "--pin", dest="output", metavar="OUT", type=output_folder, help="output folder of a migration that gets the version, too"
