@@ -1,4 +1,4 @@
-"""`robosmi libraries import DIR`, `install NAME` and `show NAME`: libraries on this machine, in the user's index, and their API."""
+"""`robosmi libraries import DIR`, `install NAME`, `show NAME`: libraries on this machine, in the user's index, and their API."""
 
 from __future__ import annotations
 
