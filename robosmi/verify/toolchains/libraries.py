@@ -104,7 +104,7 @@ class LibraryFolders:
 
     def _installed(self, folder: Path) -> CompiledLibrary | None:
         data = self._toolchain.libraries
-        properties = _properties(folder / data.text("properties"))
+        properties = properties_of(folder / data.text("properties"))
         known = [word.strip() for word in (properties.get("architectures") or "*").split(",")]
         if "*" not in known and self._toolchain.architecture not in known:
             return None
@@ -125,12 +125,14 @@ class LibraryFolders:
         return library, headers
 
 
-def _properties(path: Path) -> dict[str, str]:
+def properties_of(path: Path) -> dict[str, str]:
     """The `key=value` lines of a library's description; empty if there is none."""
-    if not path.is_file():
-        return {}
-    lines = inputs.read_text(path, inputs.SETTINGS, errors="replace").splitlines()
-    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in lines) if sep}
+    return properties_in(inputs.read_text(path, inputs.SETTINGS, errors="replace")) if path.is_file() else {}
+
+
+def properties_in(text: str) -> dict[str, str]:
+    """The `key=value` lines of a text."""
+    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in text.splitlines()) if sep}
 
 
 def resolve(
