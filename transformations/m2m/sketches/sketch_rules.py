@@ -17,9 +17,10 @@ from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
 from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
 from robosmi.transformations.m2m.sketches.timer_ticks import timer_ticks
 from robosmi.transformations.m2m.sketches.usb_console import usb_console
+from robosmi.transformations.m2m.sketches.zero_bytes import zero_bytes
 
 RULES: tuple[SketchRule, ...] = (
     clashing_names, timer_ticks, register_idioms, avr_calls, object_bytes, int_widths, char_signs, servo_limits, flash_eeprom,
-    flash_reads, usb_console, analogue, missing_returns, foreign_libraries, absent_names,
+    flash_reads, usb_console, analogue, missing_returns, zero_bytes, foreign_libraries, absent_names,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""
