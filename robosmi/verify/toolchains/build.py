@@ -162,7 +162,7 @@ class Build(Struct):
             Finding(
                 OTHER_ARCHITECTURE,
                 Severity.warning,
-                f"the library '{library.name}' is for {', '.join(library.others)}, and the board is {self.toolchain.architecture}",
+                f"the library '{library.name}' is for {', '.join(library.others)}, not {self.toolchain.architecture}",
                 place,
                 fix="try it on the board, or use a library that lists the board's architecture",
             )

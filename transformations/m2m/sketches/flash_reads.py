@@ -16,9 +16,7 @@ from robosmi.transformations.queries.expression_type import ValueType, element_t
 KIND = "progmem"
 _RULE = "flash-read"
 _WORDS = frozenset(["pgm_read_word", "pgm_read_word_near"])
-_NUMBERS = frozenset(
-    ["int", "unsigned int", "unsigned", "word", "int16_t", "uint16_t", "short", "unsigned short", "short int", "unsigned short int"]
-)
+_NUMBERS = frozenset(["int", "unsigned", "unsigned int", "word", "int16_t", "uint16_t"])
 _POINTER = "pgm_read_ptr"
 
 

@@ -28,7 +28,7 @@ def missing_returns(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
         for function in view.of_kind(ccode.Function):
             body, kind = function.body, function.returnType
             spelling = str(kind.spelling).strip() if kind is not None else ""
-            if body is None or not function.definition or spelling in _NOTHING or function.name == "main" or not _falls_through(body):
+            if body is None or spelling in _NOTHING or function.name == "main" or not _falls_through(body):
                 continue
             if "&" in spelling or is_torn(body):
                 yield sketch.place(KIND, function, str(function.name))

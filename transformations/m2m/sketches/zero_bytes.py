@@ -1,4 +1,4 @@
-"""Calls of `write(0)` name the byte that they send: where an object has it for bytes and texts only, 0 may be either, an error."""
+"""Calls of `write(0)` name the byte that they send: where there is one for bytes and one for texts, 0 may be either."""
 
 from __future__ import annotations
 
