@@ -81,7 +81,7 @@ class EmfModel(TypedModel):
         lenient: bool = True,
         open_files: OpenFiles | None = None,
     ) -> EmfModel:
-        """Read an XMI file, or one in JSON (`.json`).
+        """Read an XMI file, or one in JSON (`.json`) or YAML (`.yaml`, `.yml`).
 
         What it refers to in other files is read with it, and belongs to models of their own.
 
@@ -145,7 +145,7 @@ class EmfModel(TypedModel):
         return model
 
     def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
-        """Write the model as XMI, or as JSON by the name of the file (`.json`), whole or not at all.
+        """Write the model as XMI, or as JSON or YAML by the name of the file (`.json`, `.yaml`, `.yml`), whole or not at all.
 
         References into other files lead there again, seen from the new place: into files that were read with the model, and into
         all models that have a path. So does xsi:schemaLocation, where the file had one. Other files are not written, even where
@@ -328,6 +328,16 @@ class EmfModel(TypedModel):
         elif self._watch not in resource.listeners:
             resource.listeners.append(self._watch)
         self._roots[id(root)] = cast(DynamicEObject, root)
+        self._watch.changed = True
+
+    def order_roots(self, roots: Iterable[EObject]) -> None:
+        """Put root elements into an order; others stay before them."""
+        for root in roots:
+            if id(root) in self._roots:
+                self._roots[id(root)] = self._roots.pop(id(root))
+                if home_of(root) is self._home:
+                    self._home.contents.remove(root)
+                    self._home.contents.append(root)
         self._watch.changed = True
 
     def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicEObject:

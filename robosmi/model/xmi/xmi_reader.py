@@ -29,7 +29,7 @@ from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
-from robosmi.model.xmi.json_parser import is_json, parse_json
+from robosmi.model.xmi.json_parser import is_json, is_yaml, parse_json
 from robosmi.model.xmi.xmi_linker import XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 
@@ -260,7 +260,7 @@ class _Reader:
         return document
 
     def parsed(self, path: Path, data: bytes) -> Document:
-        """The document of a file's bytes, XMI or JSON by its name.
+        """The document of a file's bytes, XMI, JSON or YAML by its name.
 
         Raises:
             Unreadable, ForeignRoot: as `parse`.
@@ -275,7 +275,7 @@ class _Reader:
                 FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
             )
 
-        if is_json(path):
+        if is_json(path) or is_yaml(path):
             return parse_json(path, data, self.plans, self.package, problem)
         return parse(
             path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, None if self.strict else foreign
