@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Never, cast
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
@@ -121,7 +122,8 @@ class EmfModel(TypedModel):
             packages = Metamodel.packages_of(file)
             for element in (one for package in packages for one in walk(package)):
                 as_data(element)
-            model = cls(packages, Metamodel.ecore(), name or file.stem, file)
+            model = cls(_without_unnamed(packages), Metamodel.ecore(), name or file.stem, file)
+            model._digest = hashlib.sha256(inputs.read_bytes(file, inputs.MODEL)).hexdigest()
             if open_files is not None:
                 open_files.add(place, model, documents)
             return model
@@ -395,6 +397,19 @@ def _elements(roots: object) -> list[EObject]:
                 f"a model is made of root elements, not of {each!r}",
                 fix="write EmfModel.load(path, metamodel) to read a file, EmfModel((), metamodel) for an empty model",
             )
+    return found
+
+
+def _without_unnamed(packages: Iterable[EPackage]) -> list[EObject]:
+    """The root elements of an .ecore file: its packages, and the classifiers that are in none."""
+    found: list[EObject] = []
+    for package in packages:
+        if package.name:
+            found.append(package)
+            continue
+        found += (classifiers := list(package.eClassifiers))
+        for classifier in classifiers:
+            package.eClassifiers.remove(classifier)
     return found
 
 

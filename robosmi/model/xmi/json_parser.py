@@ -7,6 +7,7 @@ Elements are built as `xmi_parser` builds them, and references are left to `xmi_
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ CLASS, LINK, ID = "eClass", "$ref", "_id"
 """The keys that are no features."""
 UUID = "uuid"
 """What pyecore's JSON calls an id."""
+_NAMED_CLASS = re.compile(rb'"eClass"\s*:\s*"')
 _SHAPE = "give a model in the form of EMF-JSON, whose roots name their class: " + '{"eClass": "NAMESPACE#//CLASS"}'
 
 
@@ -39,6 +41,11 @@ def is_json(path: Path) -> bool:
 def is_yaml(path: Path) -> bool:
     """Whether a file's model is YAML, by its name."""
     return path.suffix.lower() in (".yaml", ".yml")
+
+
+def names_classes(head: bytes) -> bool:
+    """Whether a JSON text that begins so is a model: an object or a list in which an element names its class."""
+    return _NAMED_CLASS.search(head) is not None
 
 
 def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem) -> Document:

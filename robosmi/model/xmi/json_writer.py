@@ -71,7 +71,7 @@ class _Writer(WrittenFile):
     def tree(self, root: EObject) -> dict[str, Json]:
         """An element with all that it contains, as JSON has it."""
         if is_of_ecore(root.eClass):
-            raise self.problem(root, None, "is an element of a metamodel, which is not written as JSON or YAML", _ELEMENT_OF_ECORE)
+            raise self.problem(root, None, "is of a metamodel, which is not written as JSON or YAML", _ELEMENT_OF_ECORE)
         whole: dict[str, Json] = {CLASS: self.class_uri(root.eClass)}
         stack: list[tuple[EObject, dict[str, Json], int]] = [(root, whole, 2)]
         while stack:

@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING
 from urllib.parse import unquote
 
 from robosmi import inputs
-from robosmi.errors import ModelError
+from robosmi.errors import ModelError, RobosmiError
 from robosmi.files.files import free_name, write_atomic
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.ecore.metamodels import Metamodels, built_in
 from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
@@ -191,12 +192,15 @@ def _is_nearly(original: bytes, text: bytes) -> bool:
 def _as_written(path: Path, data: bytes, metamodels: Metamodels, target: Path) -> bytes | None:
     """What is written for the model in a text, whatever its layout; None if it cannot be read alone."""
     document = read_alone(path, data, metamodels)
-    if document is None:
+    try:
+        models: dict[str, list[EObject]] = {
+            target.name: list(document.roots if document is not None else Metamodel.packages_of(path, data))
+        }
+    except RobosmiError:
         return None
-    models: dict[str, list[EObject]] = {target.name: list(document.roots)}
     try:
         locations = XmiLocations(models, None, target.parent)
-        places = metamodel_places(path, document.schema_locations, target)
+        places = metamodel_places(path, document.schema_locations if document is not None else (), target)
         return text_with(target.name, models[target.name], locations, places)
     except ModelError:
         return None

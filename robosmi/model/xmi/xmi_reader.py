@@ -307,10 +307,12 @@ class _Reader:
 
     def ecore(self, path: Path, referrer: Location) -> Any:
         """The package of an .ecore file: the one that is known under its namespace, else a new one."""
+        from robosmi.model.ecore.ecore_classes import make_packages
+        from robosmi.model.ecore.ecore_loader import load_metamodels
         from robosmi.model.ecore.metamodel import Metamodel
 
         try:
-            loaded = Metamodel.load(path)
+            loaded = Metamodel(make_packages(load_metamodels([path], classifiers=True)))
         except RobosmiError as error:
             self._refused.add(path)
             self.give_up(error.location or referrer, error.message, error.fix or "")
