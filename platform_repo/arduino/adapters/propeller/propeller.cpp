@@ -242,7 +242,7 @@ inline uint32_t getcnt() {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital in
 //#   fidelity: exact: the output latch is cleared and the direction stays, as there
-//#   stack: 8 0
+//#   stack: 4 0
 inline int32_t getpin_at(int32_t pin) {
   Io io(pin);
   io.set(false);
@@ -262,7 +262,7 @@ __attribute__((always_inline)) inline int32_t getpin(int32_t pin) {
 //#   needs: simpletools.h/drive_level hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 10 0
+//#   stack: 12 2
 __attribute__((always_inline)) inline void setpin(int32_t pin, int32_t value) {
   if (pin_is_known(pin)) KnownIo(pin).level(value != 0);
   else drive_level(pin, value != 0);
@@ -274,7 +274,7 @@ __attribute__((always_inline)) inline void setpin(int32_t pin, int32_t value) {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
-//#   stack: 8 0
+//#   stack: 4 0
 inline void togglepin_at(int32_t pin) {
   Io io(pin);
   io.set(!io.latch());

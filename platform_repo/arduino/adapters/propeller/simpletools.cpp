@@ -17,7 +17,7 @@ inline void drive_level(int32_t pin, bool value) {
 //#   needs: drive_level hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 10 0
+//#   stack: 12 2
 __attribute__((always_inline)) inline void high(int32_t pin) {
   if (pin_is_known(pin)) KnownIo(pin).level(true);
   else drive_level(pin, true);
@@ -29,7 +29,7 @@ __attribute__((always_inline)) inline void high(int32_t pin) {
 //#   needs: drive_level hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 10 0
+//#   stack: 12 2
 __attribute__((always_inline)) inline void low(int32_t pin) {
   if (pin_is_known(pin)) KnownIo(pin).level(false);
   else drive_level(pin, false);
@@ -41,7 +41,7 @@ __attribute__((always_inline)) inline void low(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital in
 //#   fidelity: exact
-//#   stack: 12 0
+//#   stack: 2 0
 inline uint32_t get_state_at(int32_t pin) {
   return Io(pin).high();
 }
@@ -77,7 +77,7 @@ __attribute__((always_inline)) inline uint32_t input(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: the latch of the whole program; on the Propeller each cog has one of its own
-//#   stack: 12 0
+//#   stack: 14 0
 inline uint32_t get_output_at(int32_t pin) {
   return Io(pin).latch();
 }
@@ -93,7 +93,7 @@ __attribute__((always_inline)) inline uint32_t get_output(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: exact for a program on one cog
-//#   stack: 12 0
+//#   stack: 2 0
 inline uint32_t get_direction_at(int32_t pin) {
   return Io(pin).driven();
 }
@@ -109,7 +109,7 @@ __attribute__((always_inline)) inline uint32_t get_direction(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 12 0
+//#   stack: 5 0
 inline void set_output_at(int32_t pin, bool state) {
   Io(pin).set(state);
 }
@@ -125,7 +125,7 @@ __attribute__((always_inline)) inline void set_output(int32_t pin, int32_t state
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: exact
-//#   stack: 12 0
+//#   stack: 4 0
 inline void set_direction_at(int32_t pin, bool direction) {
   Io(pin).drive(direction);
 }
@@ -141,7 +141,7 @@ __attribute__((always_inline)) inline void set_direction(int32_t pin, int32_t di
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
-//#   stack: 18 12
+//#   stack: 16 14
 inline uint32_t toggle_at(int32_t pin) {
   Io io(pin);
   io.set(!io.latch());
@@ -163,7 +163,7 @@ __attribute__((always_inline)) inline uint32_t toggle(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: exact
-//#   stack: 4 0
+//#   stack: 6 0
 inline uint32_t reverse_at(int32_t pin) {
   Io io(pin);
   io.drive(!io.driven());
@@ -488,7 +488,7 @@ inline int32_t rc_time(int32_t pin, int32_t state) {
 //#   needs: hal/Io hal/KnownIo hal/pulse io_ticks TimedInput
 //#   pin: pin digital out
 //#   fidelity: within 0.5 us or 1 %; the pulse is the inverse of the output latch
-//#   stack: 20 2
+//#   stack: 28 20
 template <class Pin> inline void timed_pulse(Pin io, int32_t time) {
   uint32_t width = io_ticks == 80 ? (uint32_t)time : (uint32_t)time * io_ticks / 80;
   if (frames_due) frames_due();
@@ -713,7 +713,7 @@ inline void end_dac(uint8_t channel) {
 //#   limit rp2040: 20 kHz instead of megahertz: a filter needs up to fifty times the capacity
 //#   limit other: 1 kHz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
-//#   stack: 24 12
+//#   stack: 23 14
 inline void dac_ctr_at(int16_t pin, uint8_t at, int32_t dacVal) {
   if (pin != dac_pins[at]) {
     end_dac(at);
@@ -788,7 +788,7 @@ inline void clock_pulse(const Io &clock) {
 //#   pin: pinDat digital in
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 25 kHz
-//#   stack: 50 32
+//#   stack: 43 24
 inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits) {
   bool before = mode == MSBPRE || mode == LSBPRE, highest = mode == MSBPRE || mode == MSBPOST;
   Io data(pinDat), clock(pinClk);
@@ -812,7 +812,7 @@ inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bi
 //#   pin: pinDat digital out
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 30 kHz
-//#   stack: 58 32
+//#   stack: 52 24
 inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits, int32_t value) {
   Io data(pinDat), clock(pinClk);
   bool lowest = mode == LSBFIRST;
