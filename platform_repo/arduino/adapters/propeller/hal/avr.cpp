@@ -23,13 +23,25 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 //#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
 //#   ram: 5
-#ifdef PORTL
-static uint8_t latches[12];  // of ports A to L, the core's numbers 1 to 12
-const uint8_t first_port = 1;
+#ifdef PORTA
+const uint8_t first_port = 1;  // numbers of the core: 1 is port A, and there is no I
 #else
-static uint8_t latches[5];  // of ports B to F, the core's numbers 2 to 6
 const uint8_t first_port = 2;
 #endif
+#if defined(PORTL)
+const uint8_t last_port = 12;
+#elif defined(PORTJ)
+const uint8_t last_port = 10;
+#elif defined(PORTG)
+const uint8_t last_port = 7;
+#elif defined(PORTF)
+const uint8_t last_port = 6;
+#elif defined(PORTE)
+const uint8_t last_port = 5;
+#else
+const uint8_t last_port = 4;
+#endif
+static uint8_t latches[last_port - first_port + 1];
 static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
 
 inline void cog_drives(uint8_t pin, bool output) {  // the cog that runs drives the pin, or no longer does
