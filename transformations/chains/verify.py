@@ -34,6 +34,7 @@ from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
 from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.verification.api_build import compile_to_run
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import (
     BoundPort,
@@ -71,8 +72,9 @@ from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
-from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.verdict import (
+    AT_THE_API,
+    AT_THE_PINS,
     DIFFERENT_VERDICT,
     NO_DIFFERENCE,
     NOT_COMPILED,
@@ -211,8 +213,12 @@ def _compared(
     with temporary_folder("verify") as place:
         folder = Path(place)
         (folder / "target").mkdir()
-        report = compile_sketch(output, keep=folder / "target")
-        verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
+        made_for = compile_to_run(output, folder / "target")
+        report = made_for.report
+        compiled = report.ok or bool(made_for.lacking)
+        verdict = Verdict(compiled=compiled, compiler=report.tool, binding=[port.to_json() for port in ports])
+        verdict.judged_at = AT_THE_API if made_for.at_api else AT_THE_PINS
+        verdict.not_compiled = made_for.not_compiled
         verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
         verdict.little_room = next((f"{f.message} [{f.rule}]" for f in report.diagnostics if f.rule == LITTLE_RAM), "")
         verdict.functions = {port.title: port.functions for port in ports}
@@ -222,6 +228,9 @@ def _compared(
             for port in ports
             if port.shares_with
         }
+        if made_for.lacking:
+            verdict.reasons.append(f"the model of the Arduino API cannot run the program: {made_for.lacking}")
+            return Verified(verdict, replace(report, diagnostics=()))
         if not report.ok:
             return Verified(verdict, report)
         if report.elf is None:
@@ -373,7 +382,7 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
         if (other := with_stubs(text, names)) != text:
             path.write_text(other, encoding="utf-8", errors=AS_BYTES)
     (place / "kept").mkdir()
-    report = compile_sketch(place / "out", keep=place / "kept")
+    report = compile_to_run(place / "out", place / "kept").report
     if report.elf is None:
         raise VerificationError(f"the migrated program does not compile without {', '.join(sorted(names))}")
     return report

@@ -25,6 +25,12 @@ NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
 )  # fmt: skip
 EXIT_CODES = {NO_DIFFERENCE: 0, DIFFERENT_VERDICT: 6, NOT_COMPILED: 6, NOT_DECIDABLE: 1}
 """The command's exit code for each verdict."""
+AT_THE_PINS, AT_THE_API = "pins", "api"
+"""Where a verdict was judged: at the pins of a simulated board, or at the calls of the Arduino API on this computer."""
+NOT_SEEN_AT_API = (
+    "times below 10 us", "interrupts that come while others run", "registers and timers of the microcontroller", "heap and stack",
+    "the frequency of analogWrite", "the quirks of the board's own core",
+)  # fmt: skip
 PROGRAM = "program"
 """The channel of a crash, which concerns the program as a whole."""
 
@@ -136,6 +142,8 @@ class Verdict(Struct):
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
         stubbed: what does nothing on both sides: functions without a model, missing headers and what they declare.
         search: how the search for scenarios ended, in this run or the one that stored them; None without one.
+        judged_at: where: `AT_THE_PINS`, or `AT_THE_API`, which is worth less.
+        not_compiled: why the board's own core has not compiled the program, where it was judged at the API; empty if it has.
     """
 
     scenarios: list[ScenarioVerdict] = []
@@ -163,6 +171,8 @@ class Verdict(Struct):
     stand_ins: list[str] = []
     stubbed: list[str] = []
     search: SearchEnd | None = None
+    judged_at: str = AT_THE_PINS
+    not_compiled: str = ""
 
     @property
     def verdict(self) -> str:
@@ -246,6 +256,9 @@ class Verdict(Struct):
             "not_compared_because": dict(self.why_not_compared),
             "first_difference": None if first is None else self._difference_json(*first),
             "engine": self.engine,
+            "judged_at": self.judged_at,
+            "not_seen": list(NOT_SEEN_AT_API) if self.judged_at == AT_THE_API else [],
+            "not_compiled": self.not_compiled or None,
             "compiler": self.compiler,
             "stand_ins": self.stand_ins,
             "stubbed": self.stubbed,
@@ -283,7 +296,14 @@ class Verdict(Struct):
         said += "; ".join(["", self._reached(), *self._missed()])
         if (first := self.first_difference) is not None:
             said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
-        return "; ".join([said, *self._stood_in(), *self.all_reasons()])
+        return "; ".join([said, *self._judged(), *self._stood_in(), *self.all_reasons()])
+
+    def _judged(self) -> list[str]:
+        """What a verdict at the API is worth, in words; nothing for one at the pins."""
+        if self.judged_at != AT_THE_API:
+            return []
+        own = [f"not compiled for the board: {self.not_compiled}"] if self.not_compiled else []
+        return [f"judged at the Arduino API, not on a simulated board: not seen are {', '.join(NOT_SEEN_AT_API)}", *own]
 
     def _many(self) -> str:
         return quantity(len(self.scenarios), "test case")
@@ -295,11 +315,12 @@ class Verdict(Struct):
     def _headline(self) -> str:
         """The verdict with what it rests on, in one line."""
         basis = f"in {self._many()}, {self.simulated_s:.1f} s simulated"
+        where = ", judged at the Arduino API," if self.judged_at == AT_THE_API else ""
         if self.verdict != NO_DIFFERENCE:
-            return f"{self.verdict.replace('-', ' ').upper()} {basis}; {self._reached()}"
+            return f"{self.verdict.replace('-', ' ').upper()}{where} {basis}; {self._reached()}"
         if self.partial:
-            return f"PARTLY COMPARED: {self._outputs()}, {self._reached()}; no difference found {basis}"
-        return f"NO DIFFERENCE FOUND in everything compared: {self._outputs()}, {self._reached()}; {basis}"
+            return f"PARTLY COMPARED{where.rstrip(',')}: {self._outputs()}, {self._reached()}; no difference found {basis}"
+        return f"NO DIFFERENCE FOUND{where} in everything compared: {self._outputs()}, {self._reached()}; {basis}"
 
     def _stood_in(self) -> list[str]:
         """The libraries that were replaced by stand-ins, in words."""
@@ -342,7 +363,7 @@ class Verdict(Struct):
         if self.verdict == NOT_COMPILED:
             return ["NOT COMPILED: the migrated program does not compile"]
         lines = [self._headline(), f"  {self.engine}; {self.compiler}; {self.original}"]
-        lines += [f"  {told}" for told in (*self._missed(verbose), *self._stood_in())]
+        lines += [f"  {told}" for told in (*self._judged(), *self._missed(verbose), *self._stood_in())]
         if (first := self.first_difference) is not None:
             scenario, difference = first
             lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
