@@ -30,7 +30,7 @@ from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.traces.activity import activity
 from robosmi.verify.traces.vcd import vcd_text
-from robosmi.verify.traces.verdict import AT_THE_API, AT_THE_PINS, NOT_SEEN_AT_API
+from robosmi.verify.traces.verdict import AT_THE_PINS, Judge, judged_lines
 
 CRASHED = "RS854"
 """The rule for a program that crashed."""
@@ -48,15 +48,14 @@ class Simulated(Struct):
         trace: what it did; None where it does not compile.
         ports: its ports, where its models are known.
         written: the VCD file, or None.
-        judged_at: `AT_THE_PINS`, or `AT_THE_API`, where this computer ran it with a model of the Arduino API.
-        not_compiled: why the board's own core has not compiled it then; empty if it has.
+        judged_at, not_compiled: see `Verdict`.
     """
 
     compiled: CompileReport
     trace: PinTrace | None = None
     ports: list[BoundPort] = []
     written: Path | None = None
-    judged_at: str = AT_THE_PINS
+    judged_at: Judge = AT_THE_PINS
     not_compiled: str = ""
 
     @property
@@ -82,8 +81,8 @@ class Simulated(Struct):
         events = _events(trace)
         return {
             "engine": trace.engine,
-            "judged_at": self.judged_at,
-            "not_seen": list(NOT_SEEN_AT_API) if self.judged_at == AT_THE_API else [],
+            "judged_at": self.judged_at.name,
+            "not_seen": list(self.judged_at.not_seen),
             "state": trace.state,
             "simulated_s": round(trace.simulated_us / 1e6, 6),
             "console": trace.text,
@@ -103,9 +102,7 @@ class Simulated(Struct):
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
         names = [f"'{each.name}'" for each in self.compiled.libraries if each.source == STAND_IN]
-        if self.judged_at == AT_THE_API:
-            lines.append(f"  judged at the Arduino API, not on a simulated board: not seen are {', '.join(NOT_SEEN_AT_API)}")
-            lines += [f"  not compiled for the board: {self.not_compiled}"] if self.not_compiled else []
+        lines += [f"  {said}" for said in judged_lines(self.judged_at, self.not_compiled)]
         if self.compiled.stand_in_core:
             lines.append(f"  with a stand-in for the missing core {self.compiled.stand_in_core}")
         elif names:
@@ -219,7 +216,7 @@ def simulate(
             write_atomic(vcd, vcd_text({str(board.name): trace}, f"{output} on {trace.engine}").encode())
         except OSError as error:
             raise SourceError(f"the trace cannot be written: {error.strerror or error}", fix="give another file") from error
-    return Simulated(report, trace, ports, vcd, AT_THE_API if made_for.at_api else AT_THE_PINS, made_for.not_compiled)
+    return Simulated(report, trace, ports, vcd, made_for.judge, made_for.not_compiled)
 
 
 def adjacent_plan(output: Path) -> Path | None:

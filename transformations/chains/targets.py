@@ -78,7 +78,8 @@ class TargetTable(NamedTuple):
         found = []
         for target in self.known:
             with_what = "stand-in for the core" if target.core == "stand-in" else ""
-            more = ", ".join(filter(None, (target.engine, with_what)))
+            engine = target.engine if target.proven_by == AT_THE_PINS else ""
+            more = ", ".join(filter(None, (engine, with_what)))
             found.append(f"{target.name:{width}}  {target.title:{titles}}  {target.proven_by}{f' ({more})' if more else ''}")
             if target.not_simulated and target.proven_by == AT_THE_PINS:
                 found.append(f"{'':{width}}  not simulated: {target.not_simulated}")

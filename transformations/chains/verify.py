@@ -34,7 +34,7 @@ from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
 from robosmi.transformations.queries.source_text import is_header
-from robosmi.transformations.verification.api_build import compile_to_run
+from robosmi.transformations.verification.api_build import AT_THE_API, compile_to_run
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import (
     BoundPort,
@@ -73,8 +73,6 @@ from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.traces.verdict import (
-    AT_THE_API,
-    AT_THE_PINS,
     DIFFERENT_VERDICT,
     NO_DIFFERENCE,
     NOT_COMPILED,
@@ -217,7 +215,7 @@ def _compared(
         report = made_for.report
         compiled = report.ok or bool(made_for.lacking)
         verdict = Verdict(compiled=compiled, compiler=report.tool, binding=[port.to_json() for port in ports])
-        verdict.judged_at = AT_THE_API if made_for.at_api else AT_THE_PINS
+        verdict.judged_at = made_for.judge
         verdict.not_compiled = made_for.not_compiled
         verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
         verdict.little_room = next((f"{f.message} [{f.rule}]" for f in report.diagnostics if f.rule == LITTLE_RAM), "")
@@ -279,7 +277,9 @@ def _compared(
         if stores and not any(channel["name"] == EEPROM_CHANNEL for channel in verdict.channels()):
             verdict.not_compared.append(EEPROM_CHANNEL)
         if compared.undecided and verdict.verdict != DIFFERENT_VERDICT:
-            raise compared.undecided[0]
+            if made_for.judge is not AT_THE_API:
+                raise compared.undecided[0]
+            verdict.reasons.append(compared.undecided[0].message)
         if cases and not kept:
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
         if (found := verdict.first_difference) is not None:

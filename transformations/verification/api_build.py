@@ -22,7 +22,16 @@ from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.sketch import choose_board, find_sketch
 from robosmi.verify.toolchains.toolchain import compile_by, compile_sketch
 from robosmi.verify.toolchains.toolchain_data import Toolchain
+from robosmi.verify.traces.verdict import AT_THE_PINS, Judge
 
+AT_THE_API = Judge(
+    "api",
+    "judged at the Arduino API",
+    (
+        "times below 10 us", "interrupts that come while others run", "registers and timers of the microcontroller", "heap and stack",
+        "the frequency of analogWrite", "the quirks of the board's own core",
+    ),
+)  # fmt: skip
 _MOST_PINS = 32
 """So many pins the simulated chip has."""
 _BUS_LINES = ("SDA", "SCL", "SCK", "MOSI", "MISO")
@@ -35,13 +44,13 @@ class RunnableProgram(NamedTuple):
 
     Attributes:
         report: how it was compiled; with the program of this computer where it is judged at the Arduino API.
-        at_api: whether it is judged there.
+        judge: where it is judged.
         not_compiled: why the board's own core has not compiled it; empty if it has.
         lacking: why the model of the Arduino API cannot run it; empty if it can.
     """
 
     report: CompileReport
-    at_api: bool = False
+    judge: Judge = AT_THE_PINS
     not_compiled: str = ""
     lacking: str = ""
 
@@ -65,11 +74,11 @@ def compile_to_run(output: Path, keep: Path) -> RunnableProgram:
     try:
         report = compile_sketch(output)
         if not report.ok:
-            return RunnableProgram(report, at_api=True)
+            return RunnableProgram(report, AT_THE_API)
     except MissingToolError as error:
         not_compiled = error.message
     own = compile_by(output, api_board(board, _properties(board, toolchain), toolchain), keep=keep)
-    return RunnableProgram(own, True, not_compiled, "" if own.ok else _first_error(own))
+    return RunnableProgram(own, AT_THE_API, not_compiled, "" if own.ok else _first_error(own))
 
 
 def _first_error(report: CompileReport) -> str:

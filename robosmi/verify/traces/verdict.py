@@ -25,14 +25,26 @@ NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
 )  # fmt: skip
 EXIT_CODES = {NO_DIFFERENCE: 0, DIFFERENT_VERDICT: 6, NOT_COMPILED: 6, NOT_DECIDABLE: 1}
 """The command's exit code for each verdict."""
-AT_THE_PINS, AT_THE_API = "pins", "api"
-"""Where a verdict was judged: at the pins of a simulated board, or at the calls of the Arduino API on this computer."""
-NOT_SEEN_AT_API = (
-    "times below 10 us", "interrupts that come while others run", "registers and timers of the microcontroller", "heap and stack",
-    "the frequency of analogWrite", "the quirks of the board's own core",
-)  # fmt: skip
 PROGRAM = "program"
 """The channel of a crash, which concerns the program as a whole."""
+
+
+class Judge(Struct, frozen=True):
+    """Where programs are judged.
+
+    Attributes:
+        name: in JSON.
+        said: the same in words, where every text of a verdict has to say it.
+        not_seen: what nobody sees there.
+    """
+
+    name: str
+    said: str = ""
+    not_seen: tuple[str, ...] = ()
+
+
+AT_THE_PINS = Judge("pins")
+"""At the pins of a simulated board: what is worth most, and not said."""
 
 
 class ScenarioVerdict(Struct, frozen=True):
@@ -142,8 +154,8 @@ class Verdict(Struct):
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
         stubbed: what does nothing on both sides: functions without a model, missing headers and what they declare.
         search: how the search for scenarios ended, in this run or the one that stored them; None without one.
-        judged_at: where: `AT_THE_PINS`, or `AT_THE_API`, which is worth less.
-        not_compiled: why the board's own core has not compiled the program, where it was judged at the API; empty if it has.
+        judged_at: where; all others are worth less than `AT_THE_PINS`.
+        not_compiled: why no compiler of the board has compiled the program that was judged elsewhere; empty if one has.
     """
 
     scenarios: list[ScenarioVerdict] = []
@@ -171,7 +183,7 @@ class Verdict(Struct):
     stand_ins: list[str] = []
     stubbed: list[str] = []
     search: SearchEnd | None = None
-    judged_at: str = AT_THE_PINS
+    judged_at: Judge = AT_THE_PINS
     not_compiled: str = ""
 
     @property
@@ -256,8 +268,8 @@ class Verdict(Struct):
             "not_compared_because": dict(self.why_not_compared),
             "first_difference": None if first is None else self._difference_json(*first),
             "engine": self.engine,
-            "judged_at": self.judged_at,
-            "not_seen": list(NOT_SEEN_AT_API) if self.judged_at == AT_THE_API else [],
+            "judged_at": self.judged_at.name,
+            "not_seen": list(self.judged_at.not_seen),
             "not_compiled": self.not_compiled or None,
             "compiler": self.compiler,
             "stand_ins": self.stand_ins,
@@ -299,11 +311,7 @@ class Verdict(Struct):
         return "; ".join([said, *self._judged(), *self._stood_in(), *self.all_reasons()])
 
     def _judged(self) -> list[str]:
-        """What a verdict at the API is worth, in words; nothing for one at the pins."""
-        if self.judged_at != AT_THE_API:
-            return []
-        own = [f"not compiled for the board: {self.not_compiled}"] if self.not_compiled else []
-        return [f"judged at the Arduino API, not on a simulated board: not seen are {', '.join(NOT_SEEN_AT_API)}", *own]
+        return judged_lines(self.judged_at, self.not_compiled)
 
     def _many(self) -> str:
         return quantity(len(self.scenarios), "test case")
@@ -315,7 +323,7 @@ class Verdict(Struct):
     def _headline(self) -> str:
         """The verdict with what it rests on, in one line."""
         basis = f"in {self._many()}, {self.simulated_s:.1f} s simulated"
-        where = ", judged at the Arduino API," if self.judged_at == AT_THE_API else ""
+        where = f", {self.judged_at.said}," if self.judged_at.said else ""
         if self.verdict != NO_DIFFERENCE:
             return f"{self.verdict.replace('-', ' ').upper()}{where} {basis}; {self._reached()}"
         if self.partial:
@@ -401,6 +409,19 @@ class Verdict(Struct):
             where = each["target"] or "not connected"
             lines.append(f"  {each['port']}: {each['source']} -> {where} {each['component'] or ''}".rstrip() + device)
         return lines
+
+
+def judged_lines(judge: Judge, not_compiled: str) -> list[str]:
+    """What a result is worth, in words; nothing for one at the pins.
+
+    Args:
+        judge: where it was judged.
+        not_compiled: see `Verdict`.
+    """
+    if not judge.said:
+        return []
+    own = [f"not compiled for the board: {not_compiled}"] if not_compiled else []
+    return [f"{judge.said}, not on a simulated board: not seen are {', '.join(judge.not_seen)}", *own]
 
 
 def _counted(events: int, status: str) -> str:

@@ -15,6 +15,8 @@ from robosmi.verify.toolchains.boards import Board
 from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 
+_TEXTS = "stand_ins/hardware/rp2040/rp2040/cores/rp2040"
+"""The folder with what its texts and streams consist of."""
 _NAME = BoardName("robosmi", "api", "board")
 
 
@@ -31,5 +33,6 @@ def api_board(board: Board, properties: Mapping[str, str], toolchain: Toolchain)
     """
     core = ArduinoCore(built_in("platform_repo") / "arduino" / "api_model", _NAME.vendor, _NAME.architecture, None)
     recipes = CoreRecipes(core, _NAME, toolchain, properties)
+    recipes.board_folders = [core.folder / "chip", core.folder.parent / _TEXTS]
     own = Board(board.name, board.title, board.full_names, {}, (), None, None, architecture=board.architecture)
     return InstalledBoard(own, recipes, board.architecture)

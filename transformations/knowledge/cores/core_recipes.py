@@ -64,7 +64,7 @@ class CoreRecipes:
         self._toolchain = toolchain
         self.unconverted: str | None = None
         added = toolchain.core.table("properties", needed=False).table(core.architecture, needed=False)
-        self._properties = build_properties(core, name) | RUNTIME | {key: added.text(key) for key in added.values} | more
+        self._properties = build_properties(core, name) | RUNTIME | {key: added.text(key) for key in added.values} | dict(more)
         self._build_in(Path("."), "sketch")
         self.core = core.folder
         self.core_title = core.title

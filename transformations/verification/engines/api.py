@@ -7,15 +7,16 @@ asks of the API: not the board's registers, timers and interrupts, nor its memor
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from functools import cache
 from pathlib import Path
 
-from robosmi import inputs
+from robosmi import inputs, resources
 from robosmi.base.data_tables import DataTable
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.transformations.verification.jobs import api_facts
+from robosmi.project import read_data
 from robosmi.verify.bench import device_class
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.original_build import OriginalProgram
@@ -46,15 +47,15 @@ class Api:
 
     def missing(self) -> str | None:
         """What is not installed here; None if it can run."""
-        return _missing()
+        return _missing(os.environ.get("PATH", ""))
 
     def version(self) -> str | None:
         """The version of the compiler."""
-        return None if _missing() is not None else tool_version(_COMPILER, ["-dumpfullversion", "-dumpversion"])
+        return None if self.missing() is not None else tool_version(_COMPILER, ["-dumpfullversion", "-dumpversion"])
 
     def serves(self, mcu: str) -> bool:
         """Whether the data says that programs for the microcontroller are judged here."""
-        return api_facts(mcu) is not None
+        return mcu in _microcontrollers()
 
     def run(self, job: Job) -> PinTrace:
         """Run a program in its sandbox.
@@ -62,7 +63,7 @@ class Api:
         Raises:
             MissingToolError: the system has no sandbox for it.
             TimeLimitError: it takes too long.
-            VerificationError: it uses what the model has not, so that nothing is known of it.
+            VerificationError: it crashes, or uses what the model has not, so that nothing is known of it.
         """
         content = inputs.read_bytes(Path(job.elf), inputs.MODEL)
         on_bus = any("address" in device_class(use.kind).setting_names for use in job.devices)
@@ -80,6 +81,12 @@ class Api:
             raise too_long(_LIMIT_S)
         if done.status == "output limit":
             raise VerificationError("the program changes its pins too often", fix="simulate less time")
+        if done.status in ("crashed", "recursion"):
+            at_ms = done.trace.simulated_us / 1000
+            raise VerificationError(
+                f"the program crashes on this computer at {at_ms:.1f} ms: it {done.cause.removeprefix('it ')}",
+                fix="correct that; the board itself may go on there, as after a division by zero",
+            )
         return done.trace
 
 
@@ -106,8 +113,18 @@ def _launcher(place: Path) -> Launcher:
 
 
 @cache
-def _missing() -> str | None:
-    """What to do so that programs of 32 bits can be built and run in the sandbox; None if they can."""
+def _microcontrollers() -> frozenset[str]:
+    """Those that the data names."""
+    return frozenset(read_data(resources.find("platform_repo", "simulation/api.toml")))
+
+
+@cache
+def _missing(path: str) -> str | None:
+    """What to do so that programs of 32 bits can be built and run in the sandbox; None if they can.
+
+    Args:
+        path: the folders of programs, by which the answer is remembered.
+    """
     if any(shutil.which(tool) is None for tool in (_COMPILER, "g++", "objcopy", "size")):
         return _INSTALL
     with temporary_folder("api") as place:

@@ -4,7 +4,7 @@
 #include "chip.h"
 #include "board.h"
 
-enum { PROGRAM, SERVO_TIMER, TONE_TIMER, INTERRUPTS };
+enum { PROGRAM, SERVO_TIMER, TONE_TIMER, INTERRUPTS, FIRST_TASK };
 static const host_time FRAME = 20000ull * HOST_TICKS_PER_US;
 
 extern int main(void);
@@ -163,6 +163,14 @@ void board_attach(int32_t pin, void (*handler)(void *), void *argument, int32_t 
 }
 
 void board_interrupts(int32_t on) { interrupts_off = !on; }
+
+/* ---- tasks of the system that some cores have */
+
+void board_task(void (*task)(void *), void *argument) {
+  static int next = FIRST_TASK;
+  if (next == COGS) board_lacks("so many tasks");
+  host_start(task, argument, next++);
+}
 
 /* ---- console and two-wire bus */
 

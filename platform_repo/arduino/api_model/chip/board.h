@@ -23,6 +23,8 @@ int32_t board_millivolts(int32_t channel);
 void board_attach(int32_t pin, void (*handler)(void *), void *argument, int32_t falls, int32_t rises);  /* handler 0: detach */
 void board_interrupts(int32_t on);
 
+void board_task(void (*task)(void *), void *argument);  /* runs beside the program */
+
 void board_put(int32_t byte);                   /* a byte leaves on the console */
 int32_t board_get(void);                        /* the next byte that was typed, -1 for none */
 

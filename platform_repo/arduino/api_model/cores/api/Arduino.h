@@ -103,6 +103,12 @@ uint16_t makeWord(uint16_t word);
 uint16_t makeWord(uint8_t high, uint8_t low);
 #define word(...) makeWord(__VA_ARGS__)
 
+#if defined(ARDUINO_ARCH_ESP32)  // tasks of FreeRTOS, with ticks of 1 ms
+void xTaskCreatePinnedToCore(void (*task)(void *), const char *name, uint32_t stack, void *argument, unsigned priority, void **handle, int core);
+void vTaskDelay(uint32_t ticks);
+inline int xPortGetCoreID() { return 1; }
+#endif
+
 #include "HardwareSerial.h"
 
 // The board's first serial port, which is the console

@@ -192,6 +192,11 @@ void SerialPort::flush() {
   if (lineIsFree > board_now()) board_sleep_until(lineIsFree);
 }
 
+#if defined(ARDUINO_ARCH_ESP32)
+void xTaskCreatePinnedToCore(void (*task)(void *), const char *, uint32_t, void *argument, unsigned, void **, int) { board_task(task, argument); }
+void vTaskDelay(uint32_t ticks) { board_sleep_until(board_now() + 1000ull * ticks); }
+#endif
+
 extern "C" {
 void *__dso_handle;
 int __cxa_atexit(void (*)(void *), void *, void *) { return 0; }  // a sketch does not end
