@@ -28,8 +28,8 @@ AT_THE_API = Judge(
     "api",
     "judged at the Arduino API",
     (
-        "times below 10 us", "interrupts that come while others run", "registers and timers of the microcontroller", "heap and stack",
-        "the frequency of analogWrite", "the quirks of the board's own core",
+        "times below 10 us", "interrupts that come while others run", "registers and timers of the microcontroller",
+        "heap and stack", "the frequency of analogWrite", "the quirks of the board's own core",
     ),
 )  # fmt: skip
 _MOST_PINS = 32
