@@ -35,6 +35,8 @@ _BLOCK_TICKS, _CALL_TICKS = 8, 80
 """A basic block takes 0.1 us and a call of the API 1 us, as on a processor of 50 to 100 MHz."""
 _LIMIT_S = 60.0
 _MOST_PINS = 32
+_I386 = b"\x03\x00"
+"""The processor in the header of an ELF file."""
 _BUS_CLASS = b"$_ZN7TwoWire"
 """A name in programs that use the class of Wire."""
 
@@ -63,9 +65,11 @@ class Api:
         Raises:
             MissingToolError: the system has no sandbox for it.
             TimeLimitError: it takes too long.
-            VerificationError: it crashes, or uses what the model has not, so that nothing is known of it.
+            VerificationError: it is one for another processor, crashes, or uses what the model has not, so that nothing is known of it.
         """
         content = inputs.read_bytes(Path(job.elf), inputs.MODEL)
+        if content[18:20] != _I386:
+            raise VerificationError("the program is not compiled for this computer", fix="run it by robosmi simulate or verify")
         on_bus = any("address" in device_class(use.kind).setting_names for use in job.devices)
         if on_bus and _BUS_CLASS not in content:
             raise _lacks("two-wire buses that a program makes of two pins")
