@@ -65,7 +65,7 @@ class Api:
         Raises:
             MissingToolError: the system has no sandbox for it.
             TimeLimitError: it takes too long.
-            VerificationError: it is one for another processor, crashes, or uses what the model has not, so that nothing is known of it.
+            VerificationError: nothing is known of it: it crashes, uses what the model has not, or is one for another processor.
         """
         content = inputs.read_bytes(Path(job.elf), inputs.MODEL)
         if content[18:20] != _I386:
