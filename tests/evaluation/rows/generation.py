@@ -264,7 +264,7 @@ def bound_in_corpus(setting: Setting) -> Got:
     "the cost of the adapters' calls is negligible",
     "5.3, RQ3",
     "at most 1.2 times the plain Arduino call where the pin is known",
-    "cycles on the simulated Uno: the most used functions of the utility libraries, and those of one pin (tests/adapters/cost.py)",
+    "cycles on the simulated Uno: most used functions of the utility libraries, and those of one pin (tests/adapters/cost.py)",
     quick=False,
 )
 def call_cost(_: Setting) -> Got:
