@@ -243,7 +243,7 @@ def _times(made: MigratedSketch, source: str) -> tuple[float, float, float]:
     quick=False,
 )
 def bound_in_corpus(setting: Setting) -> Got:
-    found = []
+    found: list[tuple[float, float, float]] = []
     for files in programs(setting.corpus):
         if len(files) > 1:
             continue
