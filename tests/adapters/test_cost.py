@@ -1,4 +1,4 @@
-"""No call of an adapter whose pin the compiler knows costs much more than plain Arduino code, and what it knows of pins is right."""
+"""Calls of adapters whose pin the compiler knows cost about what plain Arduino code costs, and what it knows of pins is right."""
 
 from __future__ import annotations
 
