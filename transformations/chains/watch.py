@@ -230,7 +230,7 @@ class WatchedFolder:
         if not report.ok or report.elf is None:
             why = "does not compile" if not report.ok else f"is too big for {report.board}"
             raise VerificationError(f"the sketch {why}", fix="see: robosmi compile")
-        side = TargetSide(board_of(models, report), report, ports, self.engine, whole=True, source_mv=source_mv(plan))
+        side = TargetSide(board_of(models, report), report, ports, self.engine, source_mv=source_mv(plan))
         original, why = None, ""
         try:
             stubs = stubs_of(plan, stored_sources(models), sketch_texts(sketch_files(self.output)))
