@@ -34,6 +34,7 @@ _CONTENT = {
     ("chain", "history_export"): "chains.history:export_history",
     ("chain", "history_import"): "chains.history:import_history",
     ("chain", "libraries_import"): "chains.libraries:import_libraries",
+    ("chain", "libraries_pin"): "chains.libraries:pin_library",
     ("chain", "libraries_show"): "chains.libraries:show_library",
     ("chain", "platform_import"): "chains.platform:import_platform",
     ("chain", "recommend"): "chains.recommend:recommend",
