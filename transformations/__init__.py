@@ -54,6 +54,7 @@ _CONTENT = {
     ("chain", "targets"): "chains.targets:targets",
     ("chain", "simulate"): "chains.simulate:simulate",
     ("chain", "verify"): "chains.verify:verify",
+    ("chain", "watch"): "chains.watch:WatchedFolder",
     ("chain", "wiring"): "chains.wiring:wiring",
     ("chain", "with_verdict"): "chains.verify:with_verdict",
     ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",
