@@ -176,7 +176,7 @@ def stored(folder: Path, what: str) -> str:
     return read_own(place_of(folder, what), _KEPT[what]).decode()
 
 
-def remember_place(folder: Path) -> None:
+def note_place(folder: Path) -> None:
     """Note where a folder is, so that what is kept of it is found after it was moved (`stored_before_move`).
 
     Raises:

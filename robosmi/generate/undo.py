@@ -23,7 +23,7 @@ from robosmi.files.commit import update
 from robosmi.files.external_files import ExternalFiles, changes as file_changes
 from robosmi.files.files import digest, within
 from robosmi.files.recovery import at_work
-from robosmi.files.run_lock import STATE, place_of, remember_place, stored, stored_before_move
+from robosmi.files.run_lock import STATE, place_of, note_place, stored, stored_before_move
 from robosmi.generate.manifest import NAME as MANIFEST, Manifest
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
@@ -157,7 +157,7 @@ def undo(folder: Path) -> Undone:
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
         update(folder, contents, removed, places.seen, save_previous(folder, places, contents, removed, put_back))
         if folder.is_dir():
-            remember_place(folder)
+            note_place(folder)
     restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
     gone = [str(path) for path, (_, old) in put_back.items() if old is None]
     return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
