@@ -23,7 +23,7 @@ from robosmi.files.commit import update
 from robosmi.files.external_files import ExternalFiles, changes as file_changes
 from robosmi.files.files import digest, within
 from robosmi.files.recovery import at_work
-from robosmi.files.run_lock import STATE, place_of, note_place, stored, stored_before_move
+from robosmi.files.run_lock import STATE, note_place, place_of, stored, stored_before_move
 from robosmi.generate.manifest import NAME as MANIFEST, Manifest
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
