@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -151,7 +152,7 @@ class Build(Struct):
                 Severity.info,
                 f"the library '{library.name}' is not installed; compiled with a stand-in",
                 place,
-                fix=f"install the library '{library.name}' before uploading",
+                fix=f"install it before uploading: robosmi libraries install {shlex.quote(library.name)}",
                 evidence={"library": library.name, "compatible_with": library.version},
             )
             for library in libraries

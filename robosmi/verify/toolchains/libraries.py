@@ -108,7 +108,7 @@ class LibraryFolders:
 
     def _installed(self, folder: Path) -> CompiledLibrary:
         data = self._toolchain.libraries
-        properties = _properties(folder / data.text("properties"))
+        properties = properties_of(folder / data.text("properties"))
         known = tuple(word.strip() for word in (properties.get("architectures") or "*").split(","))
         others = () if {"*", self._toolchain.architecture} & {*known} else known
         inner = folder / data.text("recursive")
@@ -128,12 +128,14 @@ class LibraryFolders:
         return library, headers
 
 
-def _properties(path: Path) -> dict[str, str]:
+def properties_of(path: Path) -> dict[str, str]:
     """The `key=value` lines of a library's description; empty if there is none."""
-    if not path.is_file():
-        return {}
-    lines = inputs.read_text(path, inputs.SETTINGS, errors="replace").splitlines()
-    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in lines) if sep}
+    return properties_in(inputs.read_text(path, inputs.SETTINGS, errors="replace")) if path.is_file() else {}
+
+
+def properties_in(text: str) -> dict[str, str]:
+    """The `key=value` lines of a text."""
+    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in text.splitlines()) if sep}
 
 
 def resolve(
