@@ -27,7 +27,8 @@ def test_values_are_texts() -> None:
 def test_the_types_are_found_by_namespace_and_place(place: str, tmp_path: Path) -> None:
     path = tmp_path / "texts.ecore"
     path.write_text((FOLDER / "texts.ecore").read_text().replace("http://www.w3.org/XML/1998/namespace", place))
-    lang = Metamodel.load(path).epackages[0].eClassifiers[0].eStructuralFeatures[0]
+    texts: Any = Metamodel.load(path).epackages[0]
+    lang = texts.eClassifiers[0].eStructuralFeatures[0]
     assert (lang.eType.name, lang.eType.ePackage.nsURI) == ("LangType", "http://www.w3.org/XML/1998/namespace")
 
 
