@@ -76,7 +76,7 @@ class _Builder:
         """Add what an event says."""
         from yaml import events
 
-        line = event.start_mark.line + 1
+        line = event.start_mark.line + 1 if event.start_mark is not None else 1
         if isinstance(event, events.DocumentStartEvent):
             self.documents += 1
             if self.documents > 1:

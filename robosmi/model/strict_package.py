@@ -20,7 +20,7 @@ from pyecore import ecore
 
 from robosmi.model.elements.compact_slots import computed
 from robosmi.model.elements.construct import initialise
-from robosmi.model.elements.datatypes import XML_TYPE_URI
+from robosmi.model.elements.datatypes import XML_NAMESPACE_URI, XML_TYPE_URI
 from robosmi.model.elements.ecore_bootstrap import add_literal, promote, quick_constructor
 from robosmi.model.elements.feature_values import FeatureCollection
 from robosmi.model.elements.pyecore_internals import key_of, set_key
@@ -304,13 +304,16 @@ XML_JAVA = {name: java for java, names in _XML.items() for name in names.split()
 """Data type of XML Schema -> Java class; all others are texts (XMLType.ecore of EMF)."""
 _XML_TYPES: dict[str, EDataType] = {}
 _XML_PACKAGE = package("type", XML_TYPE_URI, "type")
+_XML_NAMESPACE = package("namespace", XML_NAMESPACE_URI, "xml")
+_OF_XML_NAMESPACE = ("LangType", "LangTypeNull", "SpaceType", "SpaceTypeObject")
 
 
 def xml_type(name: str) -> EDataType:
-    """A data type of XML Schema, the same object for the same name."""
+    """A data type of XML Schema, or of the attributes `xml:lang` and `xml:space`, the same object for the same name."""
     if name not in _XML_TYPES:
         made = _XML_TYPES[name] = datatype(name, XML_JAVA.get(name, "java.lang.String"))
-        _XML_PACKAGE.eClassifiers.append(made)  # so that a metamodel that is written can name it
+        owner = _XML_NAMESPACE if name in _OF_XML_NAMESPACE else _XML_PACKAGE
+        owner.eClassifiers.append(made)  # so that a metamodel that is written can name it
     return _XML_TYPES[name]
 
 

@@ -37,6 +37,9 @@ public class EmfCheck {
         m.put("ecore", new EcoreResourceFactoryImpl());
         m.put("*", new XMIResourceFactoryImpl());
         rs.getPackageRegistry().put(EcorePackage.eNS_URI, EcorePackage.eINSTANCE);
+        // as Eclipse's registry has it
+        EPackage xml = org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage.eINSTANCE;
+        rs.getPackageRegistry().put(xml.getNsURI(), xml);
         rs.getLoadOptions().put(XMLResource.OPTION_RECORD_UNKNOWN_FEATURE, Boolean.FALSE);
         if (System.getenv("EMFCHECK_DEFER") != null) rs.getLoadOptions().put(XMLResource.OPTION_DEFER_IDREF_RESOLUTION, Boolean.TRUE);
         return rs;

@@ -46,6 +46,27 @@ def test_an_edit_changes_the_lines_of_what_it_concerns(commented: Path) -> None:
     assert list(commented.parent.iterdir()) == [commented]
 
 
+def test_places_of_a_workspace_stay(tmp_path: Path) -> None:
+    for name in ("lab.core", "lab.more"):
+        (tmp_path / name / "model").mkdir(parents=True)
+    shutil.copy(SPLIT / "g.ecore", tmp_path / "lab.core" / "model")
+    path = tmp_path / "lab.more" / "model" / "more.ecore"
+    path.write_text(
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        '<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"\n'
+        '    xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="more" nsURI="http://example.org/more" nsPrefix="more">\n'
+        '  <eClassifiers xsi:type="ecore:EClass" name="Net" eSuperTypes="platform:/resource/lab.core/model/g.ecore#//Graph"/>\n'
+        "</ecore:EPackage>\n"
+    )
+    before = path.read_bytes()
+    model: Any = EmfModel.load(path)
+    model.save()
+    assert path.read_bytes() == before
+    model.EClass.all[0].abstract = True
+    model.save()
+    assert path.read_bytes() == before.replace(b'#//Graph"/>', b'#//Graph" abstract="true"/>')
+
+
 def test_comments_come_along_to_another_place(commented: Path) -> None:
     target = commented.with_name("copy.ecore")
     EmfModel.load(commented).save(target)

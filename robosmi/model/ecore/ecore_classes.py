@@ -23,6 +23,7 @@ from pyecore import ecore as pyecore_ecore
 
 from robosmi.errors import ModelError
 from robosmi.model.ecore.ecore_description import (
+    XML_NAMESPACE,
     XML_TYPES,
     Class,
     Classifier,
@@ -117,7 +118,7 @@ class PackageMaker:
         self.made: dict[Classifier, EClassifier] = {}
         self.packages: dict[Package, EPackage] = {}
         self.features: dict[Feature, EStructuralFeature] = {}
-        self.xml_types = ecore.EPackage(XML_TYPES.name, XML_TYPES.uri, XML_TYPES.prefix)
+        self.xml_types = {known: ecore.EPackage(known.name, known.uri, known.prefix) for known in (XML_TYPES, XML_NAMESPACE)}
 
     def make(self, packages: list[Package]) -> list[EPackage]:
         """See `make_packages`."""
@@ -189,8 +190,8 @@ class PackageMaker:
         found = self.made.get(classifier)
         if found is None:
             found = self.made[classifier] = _known(classifier)
-            if classifier.package is XML_TYPES and found.eContainer() is None:
-                self.xml_types.eClassifiers.append(found)  # so that a metamodel that is written can name it
+            if classifier.package in self.xml_types and found.eContainer() is None:
+                self.xml_types[classifier.package].eClassifiers.append(found)  # so that a metamodel that is written can name it
         return found
 
     def _fill(self, cls: Class) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from robosmi.diagnostics import Location
-from robosmi.model.elements.datatypes import ECORE_URI, XML_TYPE_URI
+from robosmi.model.elements.datatypes import ECORE_URI, XML_NAMESPACE_URI, XML_TYPE_URI
 from robosmi.model.elements.ordering import post_order
 
 if TYPE_CHECKING:
@@ -229,17 +229,22 @@ ECORE = _known("ecore", ECORE_URI, _CLASSES, _DATA_TYPES)
 XML_TYPES = _known("type", XML_TYPE_URI, "AnyType ProcessingInstruction SimpleAnyType XMLTypeDocumentRoot", _XML_DATA_TYPES)
 """XMLType, EMF's package for the types of XML Schema; only names."""
 
-KNOWN = {ECORE_URI: ECORE, XML_TYPE_URI: XML_TYPES}
+XML_NAMESPACE = _known(
+    "namespace", XML_NAMESPACE_URI, "XMLNamespaceDocumentRoot", "LangType LangTypeNull SpaceType SpaceTypeObject"
+)  # fmt: skip
+"""XMLNamespace, EMF's package for the attributes `xml:lang`, `xml:space`, `xml:base` and `xml:id`; only names."""
+
+KNOWN = {ECORE_URI: ECORE, XML_TYPE_URI: XML_TYPES, XML_NAMESPACE_URI: XML_NAMESPACE}
 """The packages that every metamodel may refer to, by namespace."""
 
 
 def is_known(classifier: Classifier) -> bool:
-    """Whether it is one of `ECORE` or `XML_TYPES`."""
+    """Whether it is one of `KNOWN`'s."""
     return KNOWN.get(classifier.package.uri) is classifier.package
 
 
 def known(package: Package, name: str) -> Classifier | None:
-    """The classifier of that name in `ECORE` or `XML_TYPES`."""
+    """The classifier of that name in a package of `KNOWN`."""
     return _INDEX[package.uri].get(name)
 
 

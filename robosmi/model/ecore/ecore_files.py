@@ -17,12 +17,12 @@ from urllib.parse import unquote
 from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.files.files import read_input
-from robosmi.model.ecore.ecore_description import ECORE, KNOWN, XML_TYPES, Package
+from robosmi.model.ecore.ecore_description import ECORE, KNOWN, XML_NAMESPACE, XML_TYPES, Package
 from robosmi.model.ecore.ecore_xml import EcoreNode, read_nodes
 from robosmi.model.ecore.xmi_document import XMI_NAMESPACES
 
 _PLATFORM = re.compile(r"platform:/(?:resource|plugin)/(.+)")
-_OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES}
+_OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES, "XMLNamespace.ecore": XML_NAMESPACE}
 
 
 CLASSIFIERS = ("EClass", "EDataType", "EEnum")

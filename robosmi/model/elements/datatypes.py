@@ -25,6 +25,7 @@ T = TypeVar("T")
 
 ECORE_URI = "http://www.eclipse.org/emf/2002/Ecore"
 XML_TYPE_URI = "http://www.eclipse.org/emf/2003/XMLType"
+XML_NAMESPACE_URI = "http://www.w3.org/XML/1998/namespace"
 
 _WHOLE = re.compile(r"[+-]?[0-9]+")
 _REAL = re.compile(r"[+-]?(NaN|Infinity|([0-9]+(?:\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?[fFdD]?)")

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from robosmi.model.xmi.xmi_layout import Root
     from robosmi.model.xmi.xmi_locations import Neighbour
 
+_METAMODEL = re.compile(rb"<ecore:E\w+ ")
+_HEAD = 1000
 _INDENTED = re.compile(rb"\n([ \t]+)")
 _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]*:")
 
@@ -118,7 +120,8 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
         return text
     if os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
         return text
-    now = _as_written(target, text, known, target)
+    is_metamodel = _METAMODEL.search(text[:_HEAD]) is not None  # the namespaces that its text refers to may be found nowhere
+    now = text if is_metamodel else _as_written(target, text, known, target)
     if now is None:
         return text
     try:
