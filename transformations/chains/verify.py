@@ -34,6 +34,7 @@ from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
 from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.verification.api_build import AT_THE_API, compile_to_run
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import (
     BoundPort,
@@ -71,7 +72,6 @@ from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
-from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.verdict import (
     DIFFERENT_VERDICT,
     NO_DIFFERENCE,
@@ -211,8 +211,12 @@ def _compared(
     with temporary_folder("verify") as place:
         folder = Path(place)
         (folder / "target").mkdir()
-        report = compile_sketch(output, keep=folder / "target")
-        verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
+        made_for = compile_to_run(output, folder / "target")
+        report = made_for.report
+        compiled = report.ok or bool(made_for.lacking)
+        verdict = Verdict(compiled=compiled, compiler=report.tool, binding=[port.to_json() for port in ports])
+        verdict.judged_at = made_for.judge
+        verdict.not_compiled = made_for.not_compiled
         verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
         verdict.little_room = next((f"{f.message} [{f.rule}]" for f in report.diagnostics if f.rule == LITTLE_RAM), "")
         verdict.functions = {port.title: port.functions for port in ports}
@@ -222,6 +226,9 @@ def _compared(
             for port in ports
             if port.shares_with
         }
+        if made_for.lacking:
+            verdict.reasons.append(f"the model of the Arduino API cannot run the program: {made_for.lacking}")
+            return Verified(verdict, replace(report, diagnostics=()))
         if not report.ok:
             return Verified(verdict, report)
         if report.elf is None:
@@ -270,7 +277,9 @@ def _compared(
         if stores and not any(channel["name"] == EEPROM_CHANNEL for channel in verdict.channels()):
             verdict.not_compared.append(EEPROM_CHANNEL)
         if compared.undecided and verdict.verdict != DIFFERENT_VERDICT:
-            raise compared.undecided[0]
+            if made_for.judge is not AT_THE_API:
+                raise compared.undecided[0]
+            verdict.reasons.append(compared.undecided[0].message)
         if cases and not kept:
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
         if (found := verdict.first_difference) is not None:
@@ -408,7 +417,7 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
         if (other := with_stubs(text, names)) != text:
             path.write_text(other, encoding="utf-8", errors=AS_BYTES)
     (place / "kept").mkdir()
-    report = compile_sketch(place / "out", keep=place / "kept")
+    report = compile_to_run(place / "out", place / "kept").report
     if report.elf is None:
         raise VerificationError(f"the migrated program does not compile without {', '.join(sorted(names))}")
     return report
