@@ -35,7 +35,7 @@ PARTS = "pin;part;title;connector\nD5;LED;lamp;anode\nD7;Button;key;A\n"
 BUILDS = 120.0
 """Seconds that both programs may take to be built and simulated, on a busy machine."""
 Serve = Callable[[Path], Served]
-PRESSED = [{"title": "key", "setting": "points", "points": [[400, 1], [800, 0]]}]
+PRESSED: list[dict[str, Any]] = [{"title": "key", "setting": "points", "points": [[400, 1], [800, 0]]}]
 
 
 @pytest.fixture
