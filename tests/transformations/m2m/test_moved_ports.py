@@ -88,6 +88,28 @@ def test_what_only_a_run_shows_is_told(name: str, rules: list[str]) -> None:
     assert sorted(set(findings(plan))) == rules
 
 
+@pytest.mark.parametrize(
+    ("text", "ports", "rules"),
+    [
+        ("struct R{int&p;}; int main(){int q=3; high(q); R r{q}; r.p=4; while(1) high(q);}", {3, 4}, []),
+        ('void set(int&x,int v=5){x=v;} int main(){int q=3; set(q); print("%d",q); while(1) high(q);}', {3, 5}, ["RS327"]),
+        ("struct L{int pin=3;}; int main(){L a,b; b.pin=4; while(1){high(a.pin); high(b.pin);}}", {3, 4}, []),
+        ("struct L{int pin;}; void on(L l){high(l.pin);} int main(){L a{3}; on(a); while(1) on({4});}", {3, 4}, []),
+        ("struct L{int pin;void on(){high(pin);}}; int main(){L a{3}; a.on(); while(1) L{4}.on();}", {3, 4}, []),
+        ("struct L{int pin;}; int main(){L a{3}; high(a.pin); L*b=new L{4}; while(1) high(b->pin);}", {3, 4}, []),
+        ("struct L{int pin;}; L made(){return{4};} int main(){L a{3}; high(a.pin); while(1) high(made().pin);}", {3, 4}, []),
+        ("void (*f)(int)=high; int main(void){while(1){f(3); f=pause; f(5);}}", {3, 5}, ["RS327"]),
+        ("struct s{char a,b;}; int main(){s x={3,4}; char*p=(char*)&x; while(1) high(p[1]);}", set(), ["RS327"]),
+    ],
+)  # fmt: skip
+def test_each_number_that_gets_to_a_pin_is_a_port(text: str, ports: set[int], rules: list[str], tmp_path: Path) -> None:
+    program = tmp_path / ("program.c" if "main(void)" in text else "program.cpp")
+    program.write_text(f'#include "simpletools.h"\n{text}\n')
+    plan = robosmi.plan_migration([program]).plan
+    assert {int(each.sourcePin) for each in plan.portBindings} == ports
+    assert sorted(set(findings(plan))) == rules
+
+
 def test_a_bound_port_that_only_a_run_shows_is_told_no_more() -> None:
     program = next(path for path in PROGRAMS if path.stem == "stepped_result")
     plan = robosmi.plan_migration([program], bind={"P1": "D8"}).plan

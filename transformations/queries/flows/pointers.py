@@ -37,7 +37,10 @@ def pinless_functions(views: Sequence[CodeView]) -> Iterator[str]:
     for view in views:
         for reference in view.of_kind(ccode.NameReference):
             target = reference.target
-            if isinstance(target, ccode.ExternalSymbol) and not view.defined(name := str(reference.name)):
+            foreign = isinstance(target, ccode.ExternalSymbol | None) or (
+                isinstance(target, ccode.Function) and not target.definition
+            )
+            if foreign and not view.defined(name := str(reference.name)):
                 entry = view.resolve(name)
                 facts = view.api.pins(name, entry.header) if entry is not None else None
                 if entry is not None and entry.callable and (facts is None or not facts.parameters):
