@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 from statistics import median
@@ -27,6 +28,8 @@ _FAST_US = 200.0
 _FAST_AHEAD = 20
 _STRETCHED = 2.2
 TONE_DUTY = (0.4, 0.6)
+SERVO_PERIOD_US, SERVO_WIDTH_US = (12_000.0, 30_000.0), (300.0, 3_000.0)
+"""Between these are the periods of servo frames, and the widths of their pulses."""
 _APART, _DELAYED_US = 3, 100.0
 """A pulse stands apart from a tone after so many of its periods, and is longer than its pulses if it is longer than they become
 by an interrupt."""
@@ -48,7 +51,7 @@ class Pulse(NamedTuple):
 def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
     """The high times and timer waves of a pin in order of time; high times within a wave are not listed separately.
 
-    A tone of a timer with so few periods that its edges would be no wave is listed as its high times.
+    A tone of a timer with so few periods that its edges would be no wave is listed as its high times; so are frames of a servo.
     """
     waves: list[Pulse] = []
     begun: tuple[float, float, float] | None = None
@@ -82,12 +85,17 @@ def few_periods(trace: PinTrace, pin: str) -> list[Pulse]:
 
 
 def _high_times(waves: Sequence[Pulse], number: int) -> list[Pulse]:
-    """A timer's wave as its high times if it is a tone of a few periods and no part of a wave that changes; else the wave.
+    """A timer's wave as its high times if they are frames of a servo, or a tone of a few periods that is no part of a wave that
+    changes; else the wave.
 
     A timer begins a tone with the half of a period that is low.
     """
     wave = waves[number]
     period = 1e6 / wave.hz
+    width = period * wave.duty
+    if SERVO_PERIOD_US[0] <= period <= SERVO_PERIOD_US[1] and SERVO_WIDTH_US[0] <= width <= SERVO_WIDTH_US[1]:
+        begins = [wave.begin + turn * period for turn in range(math.ceil((wave.end - wave.begin) / period))]
+        return [Pulse(up, min(up + width, wave.end), barely=up + width > wave.end) for up in begins]
     beside = (*waves[max(0, number - 1) : number], *waves[number + 1 : number + 2])
     joined = any(other.begin - wave.end < period and wave.begin - other.end < period for other in beside)
     if joined or wave.duty != 0.5 or wave.end - wave.begin >= FEWEST * period:

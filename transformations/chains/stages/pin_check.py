@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.adapters.adapter_checks import parameters
 from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
+from robosmi.transformations.m2m.ports.port_registers import RULE as OF_REGISTER
 from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
@@ -32,6 +33,7 @@ LOOK_UPS = frozenset({"port", "ports", "port_of_channel"})
 """The helpers by which a finished program looks up the pin of a port."""
 _TOKENS = re.compile(r"[A-Za-z_]\w*|\d\w*")
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_FIRST_ARGUMENT = re.compile(r"\b([A-Za-z_]\w*)\((\w+)")
 _FIX = "compare the line with the source, and write the pin of the wiring table there"
 
 Place = Callable[[str, int], Location | None]
@@ -114,8 +116,10 @@ def _kept_names(plan: migration.MigrationPlan) -> PinNames:
         if pins:
             functions[function] = [PinPlace(p.position, p.range_with is not None or p.span != 1, p.none) for p in pins]
     functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}
-    words = (_word(c) for b in plan.portBindings if b.pin is not None for c in b.changes if c.rule in MOVES)
-    return PinNames(functions, LOOK_UPS, {}, Counter(words), int(UNBOUND), frozenset(api.pin_constants))
+    words = Counter(_word(c) for b in plan.portBindings if b.pin is not None for c in b.changes if c.rule in MOVES)
+    for change in (c for b in plan.portBindings for c in b.changes if c.rule == OF_REGISTER):
+        words.update(pin for name, pin in _FIRST_ARGUMENT.findall(str(change.replacement)) if name in functions)
+    return PinNames(functions, LOOK_UPS, {}, words, int(UNBOUND), frozenset(api.pin_constants))
 
 
 def _calls_of_flows(plan: migration.MigrationPlan) -> list[ccode.Call]:

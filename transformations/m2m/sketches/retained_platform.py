@@ -6,6 +6,7 @@ by `queries.portability`; the rules of `sketch_rules` change it, and what none o
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 
@@ -145,13 +146,8 @@ def place_findings(
     places: Iterable[PortabilityPlace], plan: migration.MigrationPlan, sources: Mapping[str, bytes]
 ) -> list[Finding]:
     """The findings about places that nothing cures: no edit, and no pin of the plan that is written there."""
-    bound = {
-        (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)
-        for binding in plan.portBindings
-        if binding.pin is not None
-        for change in binding.changes
-        if change.unit is not None
-    }
+    changes = [c for b in plan.portBindings if b.pin is not None for c in b.changes if c.unit is not None]
+    bound = {(str(c.unit.path), sources[str(c.unit.path)].count(b"\n", 0, c.startOffset) + 1) for c in changes if c.unit}
     moved = {
         (str(unit.path), int(call.line))
         for flow in plan.portFlows
@@ -166,16 +162,39 @@ def place_findings(
         )
         for place in places
         if place.kind not in OF_PINS or (place.path, place.line) not in (moved if place.kind == BY_CALL else bound)
+        if place.kind not in OF_REGISTERS or not _changed_whole(place, changes, sources)
     ]  # fmt: skip
+
+
+def _changed_whole(place: PortabilityPlace, changes: Iterable[migration.TextChange], sources: Mapping[str, bytes]) -> bool:
+    """Whether changes for pins contain each register, or name of the place's kind, that stands in its line."""
+    data = sources[place.path]
+    start = 0
+    for _ in range(place.line - 1):
+        start = data.find(b"\n", start) + 1
+    end = data.find(b"\n", start)
+    line = _COMMENT.sub(lambda found: b" " * len(found[0]), data[start : end if end >= 0 else len(data)])
+    names = [start + found.start() for found in _WORD.finditer(line) if _is_of(found[0].decode(), place)]
+    spans = [(c.startOffset, c.endOffset) for c in changes if c.unit is not None and str(c.unit.path) == place.path]
+    return bool(names) and all(any(begun <= at < ended for begun, ended in spans) for at in names)
+
+
+def _is_of(word: str, place: PortabilityPlace) -> bool:
+    return word == place.name or (place.kind == PORT and _REGISTER.fullmatch(word) is not None)
+
+
+_COMMENT = re.compile(rb"//.*|/\*.*?\*/")
+_WORD = re.compile(rb"[A-Za-z_]\w*")
+_REGISTER = re.compile("(PORT|PIN|DDR)[A-L]")
+PORT = "port_register"
+OF_REGISTERS = frozenset([PORT, "adc_register", "other_register", "avr_libc_call"])
+"""Kinds of places that are cured where a change for pins replaces the expression that they stand in."""
 
 
 BY_CALL = "attach_interrupt_number"
 OF_PINS = frozenset(
     {
         BY_CALL,
-        "port_register",
-        "adc_register",
-        "other_register",
         "analog_pin_number",
         "analog_pin_as_14_to_19",
         "analog_pin_above_A3",

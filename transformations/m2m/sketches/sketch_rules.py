@@ -6,17 +6,19 @@ from robosmi.transformations.m2m.sketches.analogue import analogue
 from robosmi.transformations.m2m.sketches.avr_calls import avr_calls
 from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
 from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
+from robosmi.transformations.m2m.sketches.flash_reads import flash_reads
 from robosmi.transformations.m2m.sketches.foreign_libraries import foreign_libraries
 from robosmi.transformations.m2m.sketches.int_widths import char_signs, int_widths
 from robosmi.transformations.m2m.sketches.object_bytes import object_bytes
 from robosmi.transformations.m2m.sketches.register_idioms import register_idioms
 from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
 from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
+from robosmi.transformations.m2m.sketches.sleep_modes import sleep_modes
 from robosmi.transformations.m2m.sketches.timer_ticks import timer_ticks
 from robosmi.transformations.m2m.sketches.usb_console import usb_console
 
 RULES: tuple[SketchRule, ...] = (
-    clashing_names, timer_ticks, register_idioms, avr_calls, object_bytes, int_widths, char_signs, servo_limits, flash_eeprom,
-    usb_console, analogue, foreign_libraries,
+    clashing_names, timer_ticks, register_idioms, sleep_modes, avr_calls, object_bytes, int_widths, char_signs, servo_limits,
+    flash_eeprom, flash_reads, usb_console, analogue, foreign_libraries,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

@@ -19,8 +19,8 @@ from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_number, p
 from robosmi.transformations.queries.flows.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.port_masks import PortMasks
-from robosmi.transformations.queries.ports.port_statements import port_uses
 from robosmi.transformations.queries.ports.register_bits import register_bits
+from robosmi.transformations.queries.ports.register_idioms import port_uses
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Value, Values
 
