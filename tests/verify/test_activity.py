@@ -258,6 +258,6 @@ def test_pulses_of_a_tone_that_interrupts_stretch_or_cut_off_are_no_pulses_of_th
 
 def test_frames_of_a_servo_are_frames_whoever_makes_them() -> None:
     widths = [1_000.0] * 50 + [2_000.0] * 50
-    by_timer = [Wave(100_000.0, "D1", 50.0, 0.05), Wave(1_100_000.0, "D1", 50.0, 0.1), Wave(2_100_000.0, "D1", 0.0, 0.0)]
+    by_timer = [Wave(100_000.0, "D1", 50.0, 0.05), Wave(1_090_700.0, "D1", 50.0, 0.1), Wave(2_100_000.0, "D1", 0.0, 0.0)]
     assert said(trace((), by_timer))[:3] == said(trace(frames(100_000, widths)))[:3]
     assert [what for _, what in said(trace((), by_timer))] == ["low", "pulses of 1000 us", "pulses of 2000 us", "low"]

@@ -92,16 +92,32 @@ def _high_times(waves: Sequence[Pulse], number: int) -> list[Pulse]:
     """
     wave = waves[number]
     period = 1e6 / wave.hz
-    width = period * wave.duty
-    if SERVO_PERIOD_US[0] <= period <= SERVO_PERIOD_US[1] and SERVO_WIDTH_US[0] <= width <= SERVO_WIDTH_US[1]:
-        begins = [wave.begin + turn * period for turn in range(math.ceil((wave.end - wave.begin) / period))]
-        return [Pulse(up, min(up + width, wave.end), barely=up + width > wave.end) for up in begins]
+    if _is_servo(wave):
+        return _servo_frames(waves, number)
     beside = (*waves[max(0, number - 1) : number], *waves[number + 1 : number + 2])
     joined = any(other.begin - wave.end < period and wave.begin - other.end < period for other in beside)
     if joined or wave.duty != 0.5 or wave.end - wave.begin >= FEWEST * period:
         return [wave]
     ups = [wave.begin + (turn + 0.5) * period for turn in range(FEWEST)]
     return [Pulse(up, min(up + period / 2, wave.end), barely=up + period / 2 > wave.end) for up in ups if up < wave.end]
+
+
+def _is_servo(wave: Pulse) -> bool:
+    period = 1e6 / wave.hz
+    return SERVO_PERIOD_US[0] <= period <= SERVO_PERIOD_US[1] and SERVO_WIDTH_US[0] <= period * wave.duty <= SERVO_WIDTH_US[1]
+
+
+def _servo_frames(waves: Sequence[Pulse], number: int) -> list[Pulse]:
+    """The frames of a servo that a timer makes; another width counts from the next frame on, since the timer runs on."""
+    wave, first = waves[number], number
+    period = 1e6 / wave.hz
+    while first and waves[first - 1].end >= waves[first].begin and abs(waves[first - 1].hz - wave.hz) <= 0.01 * wave.hz:
+        first -= 1
+    origin = waves[first].begin
+    last = number + 1 == len(waves) or waves[number + 1].begin > wave.end
+    turns = range(math.ceil((wave.begin - origin) / period), math.ceil((wave.end - origin) / period))
+    ends = [(origin + turn * period, origin + (turn + wave.duty) * period) for turn in turns]
+    return [Pulse(up, min(down, wave.end) if last else down, barely=last and down > wave.end) for up, down in ends]
 
 
 def same_wave(one: Pulse, other: Pulse) -> bool:

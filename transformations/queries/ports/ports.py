@@ -327,7 +327,7 @@ def role_name(use: PinUse, views: Sequence[CodeView]) -> str:
         if function is not None and function.header:
             words = "".join(c if c.isalnum() else " " for c in use.expression).split()
             return f"{function.header.removesuffix('.h')}.{'_'.join(word.lower() for word in words)}"
-    return f"P{use.pin}"
+    return views[0].api.port_name(use.pin) if views and use.pin is not None else ""
 
 
 def convention_of(port: Port, source: platform.Platform) -> platform.PinConvention | None:

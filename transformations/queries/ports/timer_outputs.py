@@ -7,7 +7,7 @@ sketch begins counts, too. Source: ATmega328P data sheet DS40002061, sections 15
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from msgspec import Struct
@@ -58,7 +58,9 @@ def timer_outputs(views: Sequence[CodeView]) -> list[TimerOutputs]:
     return [each for each in found if each is not None]
 
 
-def _outputs(name: str, timer: PwmTimer, views: Sequence[CodeView], pins: dict[str, int], clock_hz: int) -> TimerOutputs | None:
+def _outputs(
+    name: str, timer: PwmTimer, views: Sequence[CodeView], pins: Mapping[str, int], clock_hz: int
+) -> TimerOutputs | None:
     roles = {register: role for role, register in timer.registers.items()}
     uses = [
         (v, r, str(r.name)) for v in views for r in v.of_kind(ccode.NameReference) if r.name in roles or r.name in timer.outputs
@@ -136,7 +138,8 @@ def _settings(settings: Sequence[tuple[CodeView, ccode.Assignment, str]], timer:
     found = {"control_a": timer.begin[0], "control_b": timer.begin[1]}
     functions = set()
     for view, outer, role in settings:
-        block = outer.eContainer().eContainer() if outer.eContainer() is not None else None
+        statement = outer.eContainer()
+        block = statement.eContainer() if statement is not None else None
         if not isinstance(block, ccode.Block) or not isinstance(block.eContainer(), ccode.Function):
             return None
         functions.add(id(block))
