@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypedDict, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypedDict, TypeVar, Unpack
 
 from robosmi.plugins import content
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration
     from robosmi.model import Model
     from robosmi.model.comparison.comparison import ModelComparison
+    from robosmi.model.comparison.merging import ModelMerge
     from robosmi.project import Project
     from robosmi.recommend.ranking import Recommendation
     from robosmi.verify.toolchains.compile_report import CompileReport
@@ -370,6 +371,35 @@ def compare(
     from robosmi.model.comparison.comparison import compare as compared
 
     return compared(before, after, metamodel)
+
+
+def merge(
+    base: str | Path | Model,
+    a: str | Path | Model,
+    b: str | Path | Model,
+    *,
+    take: Literal["a", "b"] | None = None,
+    metamodel: str | Path | Sequence[str | Path] = (),
+) -> ModelMerge:
+    """Merge what two models made of one: what only one changed is taken, what both changed differently is a conflict.
+
+    Args:
+        base: what both were made from, a model of EMF or its file (XMI, JSON, .ecore).
+        a: the first. Given as a model, it becomes the merged one, unless there are conflicts and no side is to win them.
+        b: the second.
+        take: the side that wins all conflicts.
+        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+
+    Returns:
+        The merge; `.conflicts` in order, `.model` the merged model, to be saved.
+
+    Raises:
+        SourceError: a file cannot be read.
+        ModelError: a model contradicts its metamodel, they are of different ones, or one is no model of EMF.
+    """
+    from robosmi.model.comparison.merging import merge as merged
+
+    return merged(base, a, b, take, metamodel)
 
 
 def compile_sketch(sketch: str | Path, board: str | None = None, output: str | Path | None = None) -> CompileReport:

@@ -146,6 +146,9 @@ def project_in(path: Path, text: str) -> Project:
 
 def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
     folder = path.parent
+    outside = next((key for key in data if key in _MIGRATE), None)
+    if outside is not None:
+        raise _wrong(path, f"'{outside}' stands in no table", f"write [migrate] above the line with '{outside}'")
     _known(path, data, _TABLES, "table")
     migrate = _table(path, data, "migrate", text)
     _known(path, migrate, _MIGRATE, "key in [migrate]")

@@ -39,7 +39,7 @@ ABOVE: dict[str, tuple[str, ...]] = {
     "verify": ("generate", "validate", "transform", "query", "model", *LOW),
     "recommend": ("generate", "validate", "transform", "query", "model", *LOW),
     "chain": ("generate", "validate", "transform", "query", "model", *LOW),
-    "corpus": ("query", "model", *LOW),
+    "corpus": ("generate", "query", "model", *LOW),
     "cli": (
         "api",
         "corpus",

@@ -80,6 +80,7 @@ GROUPS = {
     "models": {
         "query": "query a model of any technology",
         "diff": "compare two models and list what differs",
+        "merge": "merge two models that were made from one",
         "run": "run the steps of a chain that have changed",
         "corpus": "run many programs and collect their results in tables",
         "metamodels": "export the metamodels, or generate Python packages from one",
@@ -337,6 +338,7 @@ EXAMPLES = {
     "run": "robosmi run chain.toml --dry-run",
     "query": 'robosmi query out/models/plan.xmi "PortBinding.all.select(lambda b: b.open).name"',
     "diff": "robosmi diff before/models/plan.xmi after/models/plan.xmi",
+    "merge": "robosmi merge base.xmi mine.xmi theirs.xmi -o merged.xmi --metamodel library.ecore",
     "parts": "robosmi parts import parts-folder",
     "platform": "robosmi platform import include --name mine",
     "metamodels": "robosmi metamodels generate library.ecore -o packages",

@@ -14,8 +14,6 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from jinja2 import Environment, StrictUndefined
-
 from robosmi import inputs
 from robosmi.base.data_text import json_of, json_written
 from robosmi.corpus.charts import bars, histogram
@@ -23,6 +21,8 @@ from robosmi.corpus.next_steps import clusters, greedy_cover
 from robosmi.corpus.states import STATES
 from robosmi.corpus.store import Store
 from robosmi.files.files import write_atomic
+from robosmi.generate import Gen
+from robosmi.quoting import html_attribute
 from robosmi.resources import built_in
 
 FILE = "index.html"
@@ -63,9 +63,8 @@ def page(store: Store, out: Path, folder: Path) -> str:
     data = _data(store, programs, plans, open_calls, os.path.relpath(out, folder))
     counts = {state: sum(row[1] == state for row in programs) for state in STATES}
     chosen = greedy_cover(lacking, _CHOSEN)
-    style, script = _text("corpus.css"), _text("corpus.js")
-    environment = Environment(autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    return environment.from_string(_text("index.html.j2")).render(
+    return Gen(templates=_folder()).text(
+        "index.html.j2",
         total=len(programs),
         counts=counts,
         states=bars([(state, float(counts[state]), state) for state in STATES], "programs by state"),
@@ -78,10 +77,8 @@ def page(store: Store, out: Path, folder: Path) -> str:
         times=histogram([float(row[4] or 0) for row in programs], "s", "time by program"),
         slowest=sorted(programs, key=lambda row: -(row[4] or 0))[:_SHOWN],
         largest=sorted(programs, key=lambda row: -(row[5] or 0))[:_SHOWN],
-        data=json_written(data, separators=(",", ":")).replace("<", "\\u003c"),
-        style=style,
-        script=script,
-        policy=f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}; base-uri 'none'; form-action 'none'",
+        head=_head(),
+        foot=_foot(data),
     )
 
 
@@ -140,8 +137,26 @@ def _data(
     return {"names": list(names), "programs": rows}
 
 
+def _head() -> str:
+    """The policy, which allows this page's own style and script and nothing else, and the style."""
+    style, script = _text("corpus.css"), _text("corpus.js")
+    policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}; base-uri 'none'; form-action 'none'"
+    content = html_attribute(policy)
+    return f'<meta http-equiv="Content-Security-Policy" content="{content}">\n<style>{style}</style>'
+
+
+def _foot(data: dict[str, Any]) -> str:
+    """The data, in which no text ends the element, and the script."""
+    text = json_written(data, separators=(",", ":")).replace("<", "\\u003c")
+    return f'<script type="application/json" id="data">{text}</script>\n<script>{_text("corpus.js")}</script>'
+
+
+def _folder() -> Path:
+    return built_in("templates") / "corpus"
+
+
 def _text(name: str) -> str:
-    return inputs.read_text(built_in("templates") / "corpus" / name, inputs.DATA)
+    return inputs.read_text(_folder() / name, inputs.DATA)
 
 
 def _hash(text: str) -> str:

@@ -15,13 +15,14 @@ from typing import Any
 import tomlkit
 from msgspec import Struct
 from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import AoT
 
 from robosmi import inputs
 from robosmi.base.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.files.external_files import ExternalFiles
-from robosmi.project import FILE_NAME, load_project, project_in
+from robosmi.project import FILE_NAME, Accepted, load_project, project_in
 
 Entries = Mapping[str, Mapping[str, str | None]]
 """Table -> key -> value; None takes the key out. A table in another one has the name of that one and a point before its own."""
@@ -67,8 +68,66 @@ def changed_project(folder: Path, entries: Entries) -> ProjectChange:
     path = folder / FILE_NAME
     text = _text(path)
     made = _with_all(text, path, entries)
+    if not (path.exists() or any(value for values in entries.values() for value in values.values())):
+        return ProjectChange({})
+    return _change(path, text, made)
+
+
+def accepted_in_project(folder: Path, accepted: Accepted) -> ProjectChange:
+    """Add, change or remove an `[[accept]]` of a folder's project file; it is created if necessary.
+
+    Args:
+        folder: the folder of the program.
+        accepted: the entry; it takes the place of the one with its rule and element, and an empty reason removes that.
+
+    Raises:
+        SourceError: the file cannot be read, means nothing, or the entry cannot be set without changing others.
+    """
+    others = [one for one in load_project(folder).accept if (one.rule, one.element) != (accepted.rule, accepted.element)]
+    path = folder / FILE_NAME
+    text = _text(path)
+    before = _values(text, path)
+    try:
+        made = _with_accepted(text, accepted)
+        after = project_in(path, made)
+        right = _values(made, path) | {"accept": 0} == before | {"accept": 0}
+        right = right and [*after.accept] == [*others, *[accepted] * bool(accepted.reason)]
+    except (TOMLKitError, ValueError, SourceError):
+        right = False
+    if not right:
+        raise SourceError(
+            "the reason cannot be set in the project file", location=Location(str(path)),
+            fix=f"write an [[accept]] with rule, element and reason for {accepted.rule}",
+        )  # fmt: skip
+    return _change(path, text, made)
+
+
+def _with_accepted(text: str, accepted: Accepted) -> str:
+    """The text of a project file with an `[[accept]]` as the last one, or without it."""
+    crlf = "\r\n" in text
+    document = tomlkit.parse(text.replace("\r\n", "\n"))
+    entries: Any = document.get("accept")
+    if entries is None:
+        entries = tomlkit.aot()
+    for at in reversed(range(len(entries))):
+        if (entries[at]["rule"], entries[at]["element"]) == (accepted.rule, accepted.element):
+            del entries[at]
+    if accepted.reason:
+        entry = tomlkit.table() if isinstance(entries, AoT) else tomlkit.inline_table()
+        entry.update({"rule": accepted.rule, "element": accepted.element, "reason": accepted.reason})
+        entries.append(entry)
+    if "accept" not in document and len(entries):
+        document.append("accept", entries)
+    elif not len(entries):
+        document.pop("accept", None)
+    made = tomlkit.dumps(document)
+    return made.replace("\n", "\r\n") if crlf else made
+
+
+def _change(path: Path, text: str, made: str) -> ProjectChange:
+    """The change of a project file from one text to another, if it may be written."""
     place, there = Path(os.path.realpath(path)) if path.is_symlink() else path, path.exists()
-    if made == text or not (there or any(value for values in entries.values() for value in values.values())):
+    if made == text:
         return ProjectChange({})
     if there and (not place.stat().st_mode & 0o222 or not os.access(place, os.W_OK)):
         return ProjectChange({}, f"{place} is read-only")

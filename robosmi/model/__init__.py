@@ -55,7 +55,7 @@ def load_model(path: str | Path) -> DynamicEObject:
 
 
 def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | None = None) -> None:
-    """Write a model as XMI, or as JSON by the file's name (`.json`), atomically.
+    """Write a model as XMI, or as JSON or YAML by the file's name (`.json`, `.yaml`, `.yml`), atomically.
 
     Args:
         root: its root element.
@@ -66,16 +66,18 @@ def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | Non
         ModelError: a reference leads to none of these models.
     """
     from robosmi.files.files import write_atomic
-    from robosmi.model.xmi.json_parser import is_json
+    from robosmi.model.xmi.json_parser import is_json, is_yaml
     from robosmi.model.xmi.xmi_writer import roots_in, to_xmi
 
     target = Path(path)
     models = {target.name: root, **(others or {})}
-    if is_json(target):
+    if is_json(target) or is_yaml(target):
         from robosmi.model.xmi.json_writer import to_json
         from robosmi.model.xmi.xmi_locations import XmiLocations
+        from robosmi.model.xmi.yaml_writer import to_yaml
 
         every = {name: roots_in(given) for name, given in models.items()}
-        write_atomic(target, to_json(target.name, every[target.name], XmiLocations(every)))
+        write = to_yaml if is_yaml(target) else to_json
+        write_atomic(target, write(target.name, every[target.name], XmiLocations(every)))
     else:
         write_atomic(target, to_xmi(models)[target.name])

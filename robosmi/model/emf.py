@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Never, cast
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
@@ -81,7 +82,7 @@ class EmfModel(TypedModel):
         lenient: bool = True,
         open_files: OpenFiles | None = None,
     ) -> EmfModel:
-        """Read an XMI file, or one in JSON (`.json`).
+        """Read an XMI file, or one in JSON (`.json`) or YAML (`.yaml`, `.yml`).
 
         What it refers to in other files is read with it, and belongs to models of their own.
 
@@ -121,7 +122,8 @@ class EmfModel(TypedModel):
             packages = Metamodel.packages_of(file)
             for element in (one for package in packages for one in walk(package)):
                 as_data(element)
-            model = cls(packages, Metamodel.ecore(), name or file.stem, file)
+            model = cls(_without_unnamed(packages), Metamodel.ecore(), name or file.stem, file)
+            model._digest = hashlib.sha256(inputs.read_bytes(file, inputs.MODEL)).hexdigest()
             if open_files is not None:
                 open_files.add(place, model, documents)
             return model
@@ -145,7 +147,7 @@ class EmfModel(TypedModel):
         return model
 
     def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
-        """Write the model as XMI, or as JSON by the name of the file (`.json`), whole or not at all.
+        """Write the model as XMI, or as JSON or YAML by the name of the file (`.json`, `.yaml`, `.yml`), whole or not at all.
 
         References into other files lead there again, seen from the new place: into files that were read with the model, and into
         all models that have a path. So does xsi:schemaLocation, where the file had one. Other files are not written, even where
@@ -330,6 +332,16 @@ class EmfModel(TypedModel):
         self._roots[id(root)] = cast(DynamicEObject, root)
         self._watch.changed = True
 
+    def order_roots(self, roots: Iterable[EObject]) -> None:
+        """Put root elements into an order; others stay before them."""
+        for root in roots:
+            if id(root) in self._roots:
+                self._roots[id(root)] = self._roots.pop(id(root))
+                if home_of(root) is self._home:
+                    self._home.contents.remove(root)
+                    self._home.contents.append(root)
+        self._watch.changed = True
+
     def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicEObject:
         """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
 
@@ -385,6 +397,19 @@ def _elements(roots: object) -> list[EObject]:
                 f"a model is made of root elements, not of {each!r}",
                 fix="write EmfModel.load(path, metamodel) to read a file, EmfModel((), metamodel) for an empty model",
             )
+    return found
+
+
+def _without_unnamed(packages: Iterable[EPackage]) -> list[EObject]:
+    """The root elements of an .ecore file: its packages, and the classifiers that are in none."""
+    found: list[EObject] = []
+    for package in packages:
+        if package.name:
+            found.append(package)
+            continue
+        found += (classifiers := list(package.eClassifiers))
+        for classifier in classifiers:
+            package.eClassifiers.remove(classifier)
     return found
 
 

@@ -27,7 +27,8 @@ _DRIVERS = {
     "xml": "robosmi.model.plain_xml:open_xml",
     "rows": "robosmi.model.table:open_rows",
 }
-_ENDINGS = {".xmi": "emf", ".ecore": "emf", ".json": "emf", ".xml": "xml", ".csv": "rows", ".tsv": "rows"}
+_ENDINGS = {".xml": "xml", ".csv": "rows", ".tsv": "rows"}
+_ENDINGS |= dict.fromkeys((".xmi", ".ecore", ".json", ".yaml", ".yml"), "emf")
 
 
 _SCRIPT = "an Epsilon script, which is no model", "write it as rules in Python: docs/reference/epsilon.md"

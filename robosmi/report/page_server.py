@@ -25,6 +25,8 @@ LONGEST = 20
 """Limit on the digits of a request's content length, since Python converts only a few thousand."""
 PATIENCE = 10.0
 """Seconds that a connection may take to send its request."""
+ACTIONS, WATCH = ("choose", "undo", "tick", "accept"), "watch"
+"""What a page may ask for: the actions on what it shows, and a run of it."""
 _POLICY = (
     "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; img-src data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -43,12 +45,15 @@ class Content(Protocol):
     def act(self, what: str, about: Mapping[str, Any]) -> dict[str, Any]:
         """Do what the page asks for; its answer as JSON values."""
 
+    def watch(self, about: Mapping[str, Any]) -> dict[str, Any]:
+        """Run what the page shows side by side, which may take long; the page can do everything else meanwhile."""
+
 
 class PageServer(ThreadingHTTPServer):
     """The server of one page.
 
     Args:
-        content: what it shows and does; asked by one request at a time.
+        content: what it shows and does; asked by one request at a time, but for `watch`.
         port: the port, 0 for any that is free.
 
     Raises:
@@ -134,11 +139,14 @@ class _Handler(BaseHTTPRequestHandler):
                 about = json_of(self.rfile.read(int(length)))
             except (ValueError, RecursionError):
                 about = None
-            if not isinstance(about, dict) or path not in ("choose", "undo", "tick"):
+            if not isinstance(about, dict) or path not in (*ACTIONS, WATCH):
                 self._json(HTTPStatus.BAD_REQUEST, _refused("the request is malformed"))
                 return
-            with self.server.turn:
-                answer = self.server.content.act(path, about)
+            if path == WATCH:
+                answer = self.server.content.watch(about)
+            else:
+                with self.server.turn:
+                    answer = self.server.content.act(path, about)
             self._json(HTTPStatus.OK, answer)
 
     def _path(self) -> str | None:

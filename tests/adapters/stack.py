@@ -81,12 +81,13 @@ def parameters(piece: AdapterPiece) -> list[str]:
 def statement(piece: AdapterPiece, turn: int, again: bool) -> str:
     """A statement that uses a piece with known pins and texts and unknown other arguments.
 
-    With `again`, another one, for pieces whose first statement is no valid C++ (a register that cannot be written).
+    Pins are unknown to a piece that is cheaper for those that the compiler knows: the others take more. With `again`, another one, for pieces whose first statement is no valid C++ (a register that cannot be written).
     """
     name = piece.target_name or piece.name
     if piece.kind in ("register", "variable"):  # not all may be written
         return f"given<uint32_t *>()[{turn}] = {name};" if again else f"{name} = given<uint32_t>() | {name};"
-    pins = {pin.name: 2 + 2 * number + turn for number, pin in enumerate(piece.pins)}
+    known = "pin_is_known" not in piece.text
+    pins = {pin.name: 2 + 2 * number + turn if known else "given<int32_t>()" for number, pin in enumerate(piece.pins)}
     declared = parameters(piece)
     scans = "scan" in piece.name
     given = []

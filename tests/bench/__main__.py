@@ -15,7 +15,20 @@ from multiprocessing import get_context
 
 from tests.bench.figures import Figure, measured, not_measured, table
 
-NAMES = ("ratios", "commands", "c_source", "recommend", "drawings", "xmi", "rules", "query", "generate", "simulation", "page")
+NAMES = (
+    "ratios",
+    "commands",
+    "c_source",
+    "recommend",
+    "drawings",
+    "xmi",
+    "rules",
+    "query",
+    "generate",
+    "simulation",
+    "page",
+    "corpus",
+)
 
 
 def main() -> int:

@@ -185,3 +185,20 @@ def test_a_sound_metamodel_is_said_to_be_one(tmp_path: Path, capsys: pytest.Capt
 def test_nothing_is_odd_in_the_built_in_metamodels(name: str) -> None:
     (path,) = (Path(__file__).parents[2] / "metamodels").rglob(f"{name}.ecore")
     assert [f.message for f in robosmi.check_model(path).findings if f.rule == "RS607"] == []
+
+
+def test_a_model_in_json_is_no_drawing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    models = Path(__file__).parents[1] / "model" / "json_models" / "graph_of_emfjson.json"
+    code, document = run("check", models, capsys=capsys)
+    assert code == 3
+    (finding,) = document["findings"]
+    assert "http://example.org/g" in finding["message"]
+    option = tmp_path / "option.json"
+    save_model(migration.Option(label="x"), option)
+    code, document = run("check", option, capsys=capsys)
+    assert code == 0
+    assert [each["elements"] for each in document["result"]["models"]] == [1]
+    option.write_text('{"version": 1, "editor": "wokwi"}')
+    code, document = run("check", option, capsys=capsys)
+    assert code == 3
+    assert "Wokwi" in document["findings"][0]["message"]

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from robosmi.cli.commands import doctor
 from robosmi.cli.main import COMMANDS, FIRST_COMMANDS, GROUPS
 from tests.running import run
 from tests.tools import require_tools
@@ -234,6 +235,37 @@ def test_doctor_says_of_every_tool_whether_it_is_there(monkeypatch: pytest.Monke
     assert tools["avr-g++"]["fix"]
     assert [name for name, tool in tools.items() if not tool["found"] and not tool["gives"]] == []
     assert "gives: uploading a compiled sketch" in run("doctor").out
+
+
+@pytest.mark.processes
+def test_doctor_groups_tools_by_what_they_are_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "/nowhere")
+    tools = run("doctor", "--json").result["tools"]
+    groups = list(dict.fromkeys(tool["purpose"] for tool in tools))
+    assert groups[:5] == ["read and migrate", "compile", "upload", "run the original", "simulate"]
+    upload = {tool["name"]: tool["found"] for tool in tools if tool["purpose"] == "upload"}
+    assert upload.keys() >= {"avrdude", "esptool", "dfu-util", "bossac", "teensy_loader_cli", "arduino-cli", "serial port"}
+    lines = run("doctor").out.splitlines()
+    heads = [line for line in lines if line.partition(":")[0] in groups and not line.startswith(" ")]
+    assert [head.partition(":")[0] for head in heads] == groups
+    assert heads[0] == "read and migrate: ready"
+    for group, head in zip(groups, heads, strict=True):
+        missing = {tool["name"] for tool in tools if tool["purpose"] == group and not tool["found"]}
+        assert set(head.partition(": missing ")[2].split(", ")) - {""} == missing
+
+
+def test_a_port_that_may_not_be_opened_is_missing(tmp_path: Path) -> None:
+    port, gone = tmp_path / "ttyACM0", tmp_path / "ttyACM1"
+    port.touch()
+    usable = doctor.port_status([str(port), str(gone)])
+    assert (usable.found, usable.fix) == (str(port), None)
+    refused = doctor.port_status([str(gone)])
+    assert refused.found is None
+    assert refused.fix
+    assert str(gone) in refused.fix
+    none = doctor.port_status([])
+    assert none.found is None
+    assert none.fix != refused.fix
 
 
 @pytest.mark.parametrize("command", COMMANDS)

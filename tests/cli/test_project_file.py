@@ -14,6 +14,7 @@ from tests.running import run, tree
     [
         ("[migrate\n", "line 1"),
         ("[migrat]\n", "'migrat' is no table (did you mean 'migrate'?)"),
+        ("target = 'mega'\n[bind]\n", "write [migrate] above the line with 'target'"),
         ('[migrate]\ntarge = "uno"\n', "'targe' is no key in [migrate] (did you mean 'target'?)"),
         ("[migrate]\ntarget = 3\n", ":2: [migrate] must hold texts only, and 'target' is none"),
         ('migrate = "uno"\n', "[migrate] must hold texts only"),

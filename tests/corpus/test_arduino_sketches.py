@@ -1,13 +1,15 @@
-"""Places that may behave differently, on public sketches with labels: precision and recall, and no crash.
+"""Public sketches with labels: places that may behave differently, moves to the Pico that compile, moves that change nothing.
 
-ROBOSMI_SKETCHES names a folder with one for each program: `labels.json` (`board`, `traps`: kind -> ["FILE:LINE", ...]) and the
-sketch's folder. The labels are for the Pico, made by rules over the text and partly read by eye.
+ROBOSMI_SKETCHES names a folder with one for each program: `labels.json` (`board`, `traps`: kind -> ["FILE:LINE", ...],
+`compiles_avr`) and the sketch's folder. The labels are for the Pico, made by rules over the text and partly read by eye.
+ROBOSMI_LIBRARIES has the libraries that are at hand: a sketch of which a header is missing is not judged by the compiler.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,11 +17,16 @@ from typing import Any
 
 import pytest
 
+import robosmi
 from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
+from robosmi.verify.toolchains.compile_report import COMPILER_ERROR, MISSING_HEADER
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from tests.tools import require_tools
 
 FOLDER = os.environ.get("ROBOSMI_SKETCHES", "")
 ENOUGH = 0.95
+needs_sketches = pytest.mark.skipif(not FOLDER, reason="ROBOSMI_SKETCHES names no folder of labelled sketches")
 Places = set[tuple[str, str, str, int]]
 
 
@@ -32,7 +39,7 @@ def sketches() -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 @pytest.mark.exhaustive
-@pytest.mark.skipif(not FOLDER, reason="ROBOSMI_SKETCHES names no folder of labelled sketches")
+@needs_sketches
 def test_places_agree_with_the_labels() -> None:
     facts = portability_facts("arduino")
     assert facts is not None
@@ -52,3 +59,49 @@ def test_places_agree_with_the_labels() -> None:
     assert wanted
     assert len(found & wanted) >= ENOUGH * len(found), dict(wrong)
     assert len(found & wanted) >= ENOUGH * len(wanted), dict(wrong)
+
+
+@pytest.mark.exhaustive
+@needs_sketches
+def test_each_sketch_moves_to_the_pico_and_compiles_or_says_where_it_does_not(tmp_path: Path) -> None:
+    """What a compiler refuses is at a line with a finding, or in a library whose include is one."""
+    require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
+    judged, silent = 0, []
+    for main, labels in sketches():
+        moved = robosmi.migrate([main], tmp_path / labels["id"], target="pico", source_board=labels["board"])
+        assert any(moved.sketch.glob("*.ino"))
+        if not labels["compiles_avr"]:
+            continue
+        report = compile_sketch(tmp_path / labels["id"], "pico")
+        if any(finding.rule == MISSING_HEADER for finding in report.diagnostics):
+            continue
+        judged += 1
+        found = {(_key(f.location.path), f.location.line) for f in moved.findings if f.location is not None}
+        foreign = any("unsuitable_library" in f.message for f in moved.findings)
+        errors = [f.location for f in report.diagnostics if f.rule == COMPILER_ERROR and f.location is not None]
+        own = [each for each in errors if Path(each.path).is_relative_to(moved.sketch)]
+        unsaid = [each for each in own if (_key(each.path), each.line) not in found]
+        if unsaid or (len(own) < len(errors) and not foreign) or (not report.ok and not errors):
+            silent.append(f"{labels['id']}: {unsaid[:3] or report.diagnostics[:1]}")
+    assert judged
+    assert len(silent) <= (1 - ENOUGH) * judged, silent
+
+
+def _key(path: str) -> str:
+    """The name of a file without what its sketch's new name changes."""
+    return re.sub(r"\W", "_", Path(path).stem)
+
+
+@pytest.mark.exhaustive
+@needs_sketches
+@pytest.mark.parametrize("target", ["nano", "mega"])
+def test_a_sketch_for_the_uno_stays_as_it_is_on_boards_with_its_pins(target: str, tmp_path: Path) -> None:
+    changed = []
+    for main, labels in sketches():
+        if labels["board"] != "uno" or not labels["compiles_avr"]:
+            continue
+        moved = robosmi.migrate([main], tmp_path / labels["id"], target=target, source_board="uno")
+        before, after = main.read_bytes().split(), next(iter(moved.sketch.glob("*.ino"))).read_bytes().split()
+        if before != after:
+            changed.append(f"{labels['id']}: {[each for each in after if each not in before][:5]}")
+    assert not changed

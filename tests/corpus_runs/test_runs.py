@@ -11,6 +11,7 @@ import pytest
 
 from tests.corpus_runs.running_corpora import copied, rows
 from tests.running import Outcome, run
+from tests.tools import require_tools, require_verification
 
 pytestmark = pytest.mark.processes
 
@@ -195,3 +196,45 @@ def test_a_program_outside_has_its_whole_path_as_id_and_the_output_folder_is_non
     assert corpus_run(spec, out, "--steps", "migrate").result["programs"] == 1
     assert corpus_run(spec, out, "--steps", "migrate").result["programs"] == 1  # not the copy in out
     assert rows(out, "SELECT id FROM programs") == [(str(tmp_path / "a" / "programs" / "blink.c"),)]
+
+
+def blinker(folder: Path) -> Path:
+    """A corpus of one program that blinks on a wired pin; its specification."""
+    copied(folder)
+    (folder / "one").mkdir()
+    (folder / "programs" / "blink.c").rename(folder / "one" / "blink.c")
+    (folder / "one" / "robosmi.toml").write_text('[bind]\nP26 = "D13"\n', encoding="utf-8")
+    spec = folder / "one.toml"
+    spec.write_text('[[programs]]\nglob = "one/*.c"\n', encoding="utf-8")
+    return spec
+
+
+def test_compile_and_verify_have_rows(tmp_path: Path) -> None:
+    require_verification("simavr")
+    outcome = corpus_run(blinker(tmp_path), tmp_path / "out", "--steps", "migrate,compile,verify")
+    assert outcome.code == 0
+    (compiled,) = rows(tmp_path / "out", "SELECT target, ok, fits, flash, ram, messages FROM compiles")
+    assert compiled[:3] == ("uno", 1, 1)
+    assert 100 < compiled[3] < 32_256
+    assert 0 < compiled[4] < 2_048
+    assert compiled[5] == rows(tmp_path / "out", "SELECT count(*) FROM findings WHERE step = 'compile'")[0][0]
+    verdict = "SELECT verdict, partial, outputs, outputs_of, lines_pct, first_difference FROM verdicts"
+    assert rows(tmp_path / "out", verdict) == [("no-difference-found", 0, 1, 1, 100.0, None)]
+    assert rows(tmp_path / "out", "SELECT name, state FROM steps") == [
+        ("migrate", "done"), ("compile", "done"), ("verify", "done"),
+    ]  # fmt: skip
+
+
+def test_a_program_without_a_compiler_is_run_when_it_is_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    spec, out = blinker(tmp_path), tmp_path / "out"
+    with monkeypatch.context() as patched:
+        patched.setenv("PATH", str(tmp_path))
+        lacking = corpus_run(spec, out, "--steps", "migrate,compile")
+    assert lacking.result | {"skipped": 1, "done": 0, "failed": 0} == lacking.result
+    assert lacking.rules() == {"RS921"}
+    assert rows(out, "SELECT count(*) FROM compiles") == [(0,)]
+    assert rows(out, "SELECT target FROM plans") == [("uno",)]
+    again = corpus_run(spec, out, "--steps", "migrate,compile")
+    assert again.result | {"run": 1, "done": 1} == again.result
+    assert rows(out, "SELECT ok FROM compiles") == [(1,)]

@@ -17,6 +17,7 @@ from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
 from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.model.kitchen import FOLDER as XMI, kitchen
+from tests.model.random_edits import shuffled
 
 LIBRARY = Path(__file__).parents[1] / "epsilon" / "eol"
 SPLIT = Path(__file__).parent / "split"
@@ -202,31 +203,6 @@ def test_of_many_alike_only_those_differ_that_were_edited() -> None:
 
 
 # --- no difference is missed, and none is made up
-
-
-def shuffled(model: Any, number: random.Random) -> None:
-    """Change a kitchen or library model in one random way."""
-    elements = [element for element in model.all_contents() if element.eContainer() is not None]
-    if not elements:
-        return
-    element = number.choice(elements)
-    feature = number.choice([f for f in element.eClass.eAllStructuralFeatures() if not f.derived and not f.transient])
-    action = number.randrange(4)
-    if action == 0:
-        model.delete(element)
-    elif action == 1 and feature.is_attribute and not feature.many and feature.eType.name == "EString":
-        setattr(element, feature.name, number.choice(["a", "b", None, "new"]))
-    elif action == 2 and feature.many and len(getattr(element, feature.name)) > 1:
-        values = getattr(element, feature.name)
-        values.append(values.pop(0))
-    elif action == 3:
-        holder = element.eContainer()
-        held = getattr(holder, element.eContainmentFeature().name)
-        others = [x for x in elements if type(x) is type(holder) and x is not element]
-        inside = {id(x) for x in element.eAllContents()}
-        others = [x for x in others if id(x) not in inside and x is not holder]
-        if others and element.eContainmentFeature().many and len(held):
-            getattr(number.choice(others), element.eContainmentFeature().name).append(element)
 
 
 @pytest.mark.emf_writes_otherwise("EMF forgets a nil, and gives up where one side of an opposite is given")

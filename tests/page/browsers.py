@@ -54,9 +54,9 @@ class Served:
         """The value of a piece of JavaScript, run by the driver and not by the page."""
         return self.browser.execute_script(text, *values)
 
-    def wait(self, condition: Callable[[], Any]) -> Any:
+    def wait(self, condition: Callable[[], Any], patience: float = PATIENCE) -> Any:
         """Wait until something holds."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + patience
         while not (found := condition()):
             assert time.monotonic() < end, f"{self.state()}: {self.told()}"
             time.sleep(0.02)
@@ -87,12 +87,15 @@ class Served:
         return list(self.script(found, choice))
 
     def go(self, choice: str, value: str) -> None:
-        """Go to an answer with the Tab key alone."""
+        """Go to an answer with the Tab key alone; a decided choice is unfolded before."""
         from selenium.webdriver.common.action_chains import ActionChains
         from selenium.webdriver.common.keys import Keys
 
+        self.script(
+            'const its = document.querySelector(`details[data-choice="${arguments[0]}"]`); if (its) its.open = true', choice
+        )
         steps = self.script(
-            "const all = [...document.querySelectorAll('a[href], button, input, [tabindex=\"0\"]')]"
+            "const all = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex=\"0\"]')]"
             ".filter(e => e.checkVisibility());"
             "const to = all.findIndex(e => e.dataset.option === arguments[1]"
             " && e.closest('[data-choice]')?.dataset.choice === arguments[0]);"

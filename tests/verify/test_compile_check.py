@@ -199,6 +199,25 @@ def test_an_installed_library_goes_before_a_stand_in(monkeypatch: pytest.MonkeyP
 
 
 @needs_tools
+def test_a_library_for_another_architecture_comes_last(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As Arduino's builder has it: it is compiled, and the user is warned."""
+    for name, architecture in (("Lamp", "esp32"), ("Lamps", "*")):
+        (tmp_path / "libraries" / name).mkdir(parents=True)
+        (tmp_path / "libraries" / name / "Lamp.h").write_text("#define LAMP 13\n")
+        (tmp_path / "libraries" / name / "library.properties").write_text(f"name={name}\narchitectures={architecture}\n")
+    monkeypatch.setenv("ROBOSMI_LIBRARIES", str(tmp_path / "libraries"))
+    (tmp_path / "lamp").mkdir()
+    (tmp_path / "lamp" / "lamp.ino").write_text("#include <Lamp.h>\nvoid setup() { pinMode(LAMP, OUTPUT); }\nvoid loop() {}\n")
+    fitting = compile_sketch(tmp_path / "lamp", "uno")
+    assert ([used.name for used in fitting.libraries], fitting.diagnostics) == (["Lamps"], ())
+    (tmp_path / "libraries" / "Lamps" / "Lamp.h").unlink()
+    other = compile_sketch(tmp_path / "lamp", "uno")
+    assert other.ok
+    assert [used.name for used in other.libraries] == ["Lamp"]
+    assert [finding.rule for finding in other.diagnostics] == ["RS813"]
+
+
+@needs_tools
 def test_a_library_of_the_core_is_installed() -> None:
     assert [(used.name, used.source) for used in compiled("wire").libraries] == [("Wire", "installed")]
 

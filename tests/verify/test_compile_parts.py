@@ -137,6 +137,7 @@ def test_doctor_names_what_is_missing_and_how_to_get_it(tmp_path: Path, monkeypa
         "version": None,
         "fix": "sudo apt install gcc-avr",
         "gives": "compile says whether C programs build and fit the board; upload, simulate and verify rest on that",
+        "purpose": "compile",
     }
     assert by_name["networkx"]["version"]
     assert by_name["networkx"]["fix"] is None

@@ -20,6 +20,8 @@ from tests.running import run
         ),
         ("void setup() { attachInterrupt(0, tick, RISING); }\nvoid tick() { n++; }\n", "void tick(); "),
         ("void setup() { each(go); }\nvoid each(void (*f)(int)) { f(1); }\n", "void each(void (*f)(int)); "),
+        ("void setup() { }\nint a = foo(1);\nint foo(int n) { return n; }\n", "int foo(int n); "),
+        ("struct A { int n; }; int *foo();\nvoid setup() { foo(); }\nint *foo() { return 0; }\n", ""),
         ("void foo();\nvoid setup() { foo(); }\nvoid foo() { }\n", ""),
         ("void foo() { }\nvoid setup() { foo(); }\n", ""),
         ('void setup() { /* foo */ log("foo"); }\nvoid foo() { }\n', ""),

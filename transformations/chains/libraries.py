@@ -1,4 +1,4 @@
-"""The chains `libraries import` and `libraries show`: adds installed libraries to the user's index, and shows a library's API.
+"""The chains `libraries import`, `install` and `show`: installed libraries in the user's index and in a sketch, a library's API.
 
 The ranking uses the user's index together with the shipped one. The imported facts are kept beside it (`installed.jsonl.gz`),
 so that a second import adds to the first; a library that is imported again replaces its earlier facts.
@@ -14,15 +14,25 @@ from typing import Any, cast
 from msgspec import Struct
 
 from robosmi.base.data_text import json_of
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
 from robosmi.files.files import write_atomic
 from robosmi.files.packed_lines import packed_lines
+from robosmi.files.recovery import at_work
+from robosmi.generate.output_paths import Places
 from robosmi.recommend.library_api import LibraryApi
+from robosmi.transformations.chains.stages.edited_plan import STORED
+from robosmi.transformations.chains.stages.models import stored_models
+from robosmi.transformations.chains.stages.output import Generated, produce
+from robosmi.transformations.chains.stages.refresh_findings import refresh_findings
+from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.knowledge.libraries.library_ranking import (
     LibraryFacts,
     installed_index,
     library_api,
     library_by_name,
 )
+from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from robosmi.transformations.t2m.library_index import build
 from robosmi.transformations.t2m.library_rows import LibraryRow
@@ -107,6 +117,37 @@ def import_libraries(folder: Path, platform: str) -> Imported:
         build(facts, index)
     added = sorted((str(row["name"]), str(row["version"])) for row in found.rows)
     return Imported(index, added, found.skipped, len(rows))
+
+
+def pin_library(output: Path, name: str, version: str) -> Generated | None:
+    """Make the sketch of an output folder again with a version of a library: in `sketch.yaml` and `platformio.ini`.
+
+    Args:
+        output: the output folder of a migration.
+        name: name of the library.
+        version: its version.
+
+    Returns:
+        What was written; None if the plan does not use the library.
+
+    Raises:
+        SourceError: the folder has no plan, or cannot be written.
+        StoppedError: a person's edit would be lost.
+    """
+    if not (output / STORED).is_file():
+        raise SourceError("this folder has no plan", location=Location(str(output)), fix="give the output folder of a migration")
+    with at_work(output):
+        stored = Places(output).read(STORED) or b""
+        models = stored_models(output)
+        found = [each for each in models.plan.target.libraries if each.name == name] if models.plan.target is not None else []
+        if not found:
+            return None
+        for library in found:
+            library.version = version
+        refuse_nonsense(models.plan)
+        settle(models.plan, models.files)
+        refresh_findings(models.plan, words=False)
+        return produce(models, output, inputs={STORED: stored}, diff=True)
 
 
 def _rows(facts: Path) -> list[LibraryRow]:

@@ -24,6 +24,9 @@ from robosmi.generate.output_paths import Places
 from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
 from robosmi.model.elements.compact_slots import collector_at_rest
+from robosmi.plugins import content
+from robosmi.project import Accepted
+from robosmi.transformations.chains.accept import accept, judged_findings
 from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
@@ -39,14 +42,16 @@ from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, tas
 from robosmi.transformations.verification.judgement.stored_verdict import set_verdict, stored_verdict
 
 SECTIONS = {
-    "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Code", "wiring": "Wiring",
-    "verdict": "Verdict", "history": "History",
+    "works": "What works", "wiring": "Circuit", "decide": "Decide", "write": "Write", "check": "Check", "watch": "Watch",
+    "verdict": "Verdict", "code": "Code", "history": "History",
 }  # fmt: skip
 """The sections in order, with their headings."""
-Row = tuple[str, str, str, str]
+_BESIDE = ("works", "wiring", "decide")
+"""The first sections: on a wide screen the circuit stays beside the others."""
+Row = tuple[str, ...]
 """The displayed form of a finding, or of a line of code."""
-Rows = tuple[str, tuple[Row, ...]]
-"""Groups of rows that a browser lays out together, after the name of their section."""
+Rows = tuple[str, bool, tuple[Row, ...]]
+"""Groups of rows that a browser lays out together, after the name of their section and whether the page is live."""
 _CODE = (".ino", ".h", ".cpp", ".c")
 _POLICY = "default-src 'none'; img-src data:; style-src 'nonce-{nonce}'; script-src 'nonce-{nonce}'; base-uri 'none'"
 _LONGEST = 300
@@ -59,18 +64,26 @@ class PlanPage:
     Args:
         output: the folder.
         source: a source of the program, beside which robosmi.toml lies, where that is not known.
+        engine: name of the simulator that runs the program; the first that is installed if None.
+        shown: the names of the sections of the page.
 
     Attributes:
         plan: the digest of the plan that the sections were made of.
         sections: name -> HTML.
+        acceptable: rule and element of each finding that a person may say is on purpose.
     """
 
-    def __init__(self, output: Path, source: Path | None = None) -> None:
-        self.output, self.source = output, source
+    def __init__(
+        self, output: Path, source: Path | None = None, *, engine: str | None = None, shown: Sequence[str] = tuple(SECTIONS)
+    ) -> None:
+        self.output, self.source, self.shown = output, source, shown
+        self._watched: Any = None
+        self._engine = engine
         self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
         self._held: MigrationModels | None = None
         self._templates = Gen(templates=_built_in())
         self._shown, self._rows = dict[Rows, str](), dict[Rows, str]()
+        self.acceptable = set[tuple[str, str]]()
 
     def now(self) -> str:
         """The digest of the currently stored plan; empty if there is none."""
@@ -92,10 +105,15 @@ class PlanPage:
         """
         if not live or not self.sections or self.plan != self.now():
             self._make(stored_models(self.output), live=live)
+        sections = [(name, SECTIONS[name], self.sections[name]) for name in self.shown]
+        groups = [
+            ("first", [each for each in sections if each[0] in _BESIDE]),
+            ("others", [each for each in sections if each[0] not in _BESIDE]),
+        ]
         return str(
             self._templates.text(
-                "page.html.j2", live=live, plan=self.plan, head=_head(live, nonce), foot=_script(nonce),
-                sections=[(name, label, self.sections[name]) for name, label in SECTIONS.items()], **self.facts,
+                "page.html.j2", live=live, decides="decide" in self.shown, plan=self.plan, head=_head(live, nonce),
+                foot=_script(nonce), sections=sections, groups=groups, **self.facts,
             )
         )  # fmt: skip
 
@@ -103,13 +121,14 @@ class PlanPage:
         """Do what a person asks for on the page.
 
         Args:
-            what: `choose` (id, value, why), `undo` or `tick` (tick, done), each with the digest of the plan that the page shows.
+            what: `choose` (id, value, why), `undo`, `tick` (tick, done) or `accept` (rule, element, reason; an empty one takes it
+                back), each with the digest of the plan that the page shows.
             about: these values.
 
         Returns:
             `state` (saved, stale or refused), `message`, the digest of the plan as it is stored `now`, and the page as it now is:
             `plan`, `sections` that have changed since the page was shown (as `changed` says), `open`, `decided`, `progress`,
-            `command` and `diff`.
+            `result` with its `result_state`, `command` and `diff`.
         """
         before, shown = (self.plan, dict(self.sections)), str(about.get("plan", ""))
         state, message, command, changes = "saved", "", "", ""
@@ -130,10 +149,17 @@ class PlanPage:
             "state": state, "message": message, "plan": self.plan, "now": self.plan, "command": command, "diff": changes,
             "sections": {
                 name: changed(same[name], text) if name in same else text
-                for name, text in self.sections.items() if same.get(name) != text
+                for name, text in self.sections.items() if same.get(name) != text and name in self.shown
             },
-            **{name: self.facts[name] for name in ("open", "decided", "progress")},
+            **{name: self.facts[name] for name in ("open", "decided", "progress", "result_state", "result")},
         }  # fmt: skip
+
+    def watch(self, about: Mapping[str, Json]) -> dict[str, Any]:
+        """Run the original and the migrated program side by side; see `watch.WatchedFolder.answer`."""
+        if self._watched is None:
+            self._watched = content("chain", "watch")(self.output, self._engine)  # few pages run a program
+        answer: dict[str, Any] = self._watched.answer(about)
+        return answer
 
     def _do(self, what: str, about: Mapping[str, Json], shown: str) -> tuple[str, str, str]:
         """Perform the action; returns the message, the equivalent command, and the diff."""
@@ -148,6 +174,8 @@ class PlanPage:
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
             where = f"in the plan and in {done.updated_project}" if done.project is not None else alone
             return f"Saved {where}: {identity} {f'= {value}' if value else 'is open again'}.", done.command, done.diff
+        if what == "accept":
+            return self._accept(about, shown)
         with at_work(self.output):
             if self.now() != shown:
                 raise StoppedError(
@@ -164,6 +192,17 @@ class PlanPage:
                 self._tick(str(about.get("tick", "")), done=about.get("done") is True)
                 return "Saved in the plan and in MIGRATION.md.", "", ""
         raise UsageError(f"unknown request '{what}'", fix="load the page again")
+
+    def _accept(self, about: Mapping[str, Json], shown: str) -> tuple[str, str, str]:
+        """Store that findings are on purpose, or that they are no longer."""
+        accepted = Accepted(*(str(about.get(name, "")).strip() for name in ("rule", "element", "reason")))
+        row = accepted.rule, accepted.element
+        if max(map(len, (*row, accepted.reason))) > _LONGEST or row not in self.acceptable:
+            raise UsageError("not a finding of this page", fix="load the page again")
+        accept(self.output, accepted, source=self.source, seen=shown)
+        self._make(stored_models(self.output))
+        said = f"on purpose: {accepted.reason}" if accepted.reason else "no longer on purpose"
+        return f"Saved in robosmi.toml: {accepted.rule} of {accepted.element} is {said}.", "", ""
 
     def _read(self, folder: Path, now: str) -> MigrationModels:
         """The models of a folder whose plan has this digest; cached by the page while the files are unchanged."""
@@ -199,13 +238,18 @@ class PlanPage:
         set_verdict(plan, said)
         drawn = Places(self.output).read(f"{FOLDER}/{PICTURE}") or b""
         picture = drawn.decode("utf-8", "replace") if said is not None and said.picture else ""
+        findings = judged_findings(models, self.output, self.source)
+        check = page_sections.check(plan, findings)
+        self.acceptable = {(row[0], row[4]) for group in check["groups"] for chunk in group["chunks"] for row in chunk if row[4]}
+        first = page_sections.works(plan, files, known, findings)
         values: dict[str, dict[str, Any]] = {
-            "works": page_sections.works(plan, files, known),
+            "works": first,
             "decide": page_sections.decide(plan, files, str(self.output)),
             "write": page_sections.write(plan, texts),
-            "check": page_sections.check(plan, models.notes, models.places),
+            "check": check,
             "code": page_code.side_by_side(plan, files, texts),
-            "wiring": page_sections.wiring(plan, models.places),
+            "wiring": page_sections.wiring(plan, files, findings),
+            "watch": {},
             "verdict": page_sections.verdict(plan, picture, models.places),
             "history": page_sections.history(plan),
         }
@@ -213,7 +257,12 @@ class PlanPage:
         self.sections = {
             name: str(
                 self._templates.text(
-                    "section.html.j2", name=name, live=live, output=str(self.output), written=self._written, **given
+                    "section.html.j2",
+                    name=name,
+                    live=live,
+                    output=str(self.output),
+                    written=partial(self._written, live=live),
+                    **given,
                 )
             )
             for name, given in values.items()
@@ -226,13 +275,14 @@ class PlanPage:
             "title": f"{plan.name}: moved to {plan.board.title if plan.board is not None else 'its target'}",
             "open": left, "decided": total - left,
             "progress": f"{made}; {ready}.",
+            "result_state": first["state"], "result": first["result"],
         }  # fmt: skip
         self.plan = self.now()
 
-    def _written(self, name: str, rows: Sequence[Row]) -> str:
+    def _written(self, name: str, rows: Sequence[Row], *, live: bool) -> str:
         """The rows of a section as HTML, reusing the HTML of unchanged rows."""
-        key = name, tuple(rows)
-        text = self._shown.get(key) or str(self._templates.text("rows.html.j2", name=name, rows=rows))
+        key = name, live, tuple(rows)
+        text = self._shown.get(key) or str(self._templates.text("rows.html.j2", name=name, rows=rows, live=live))
         self._rows[key] = text
         return text
 
@@ -300,7 +350,7 @@ def _head(live: bool, nonce: str) -> str:
 
 
 def _script(nonce: str) -> str:
-    return f'<script nonce="{nonce}">\n{_text("page.js")}</script>'
+    return f'<script nonce="{nonce}">\n{_text("page.js")}{_text("watch.js")}</script>'
 
 
 def _text(name: str) -> str:

@@ -15,7 +15,7 @@ from robosmi.transformations.knowledge.board_models import mapped_boards
 from robosmi.transformations.knowledge.platforms.board_pins import BoardPins, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
-from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, chip_macros, target_facts
 from robosmi.transformations.queries.circuits.circuit import boards
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
@@ -77,7 +77,7 @@ def find_source_board(paths: Sequence[Path], api: ApiIndex, named: str | None, t
     chip = board.microcontroller
     defines = [f"ARDUINO_{mapping.define}"] if mapping is not None and mapping.define else []
     if chip is not None and str(chip.architecture) == api.settings.get("architecture"):
-        defines.append(f"__AVR_{chip.title}__")
+        defines += chip_macros(chip)
     return SourceBoard(name, facts, [*defines, f"F_CPU={board.clockHertz}L"], findings)
 
 

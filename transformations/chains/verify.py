@@ -16,24 +16,27 @@ from msgspec.structs import replace
 
 from robosmi.base.progress_events import announce, remark
 from robosmi.base.quantities import quantity
-from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
 from robosmi.inputs import SOURCE, read_once, read_text
-from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.generate import generate as generate_again
 from robosmi.transformations.chains.simulate import adjacent_plan
+from robosmi.transformations.chains.stages.both_programs import (
+    board_of,
+    sketch_files,
+    sketch_texts,
+    source_mv,
+    stored_original,
+    stored_sources,
+)
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
-from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.program_files import REPORT
-from robosmi.transformations.m2t.retained_text import STORED as STORED_FILES
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
-from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import (
     BoundPort,
@@ -43,7 +46,6 @@ from robosmi.transformations.verification.bound_devices.port_devices import (
     resting_pins,
     texts_understood,
 )
-from robosmi.transformations.verification.engine_original import engine_original, source_board_of
 from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, ComparedScenario, compare_scenarios
@@ -57,19 +59,15 @@ from robosmi.transformations.verification.original_side import (
     run_source,
     run_varied,
 )
-from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, most_stored
-from robosmi.transformations.verification.stubs import Stubs, stubs_of, with_stubs, written_in
+from robosmi.transformations.verification.stubs import stubs_of, with_stubs, written_in
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
-from robosmi.verify.host_model import load_host_model
-from robosmi.verify.host_original import HostOriginal
 from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
-from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.verdict import (
@@ -227,7 +225,7 @@ def _compared(
         if report.elf is None:
             verdict.reasons.append(_too_big(report))
             return Verified(verdict, report)
-        side = TargetSide(_board(models, report), report, ports, engine, vcd is not None, _source_mv(plan))
+        side = TargetSide(board_of(models, report), report, ports, engine, vcd is not None, source_mv(plan))
         verdict.engine = side.engine
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
@@ -235,9 +233,9 @@ def _compared(
             remark(f"not reachable from main, so not compared: {', '.join(sorted(dead.values()))}")
         (folder / "source").mkdir()
         announce("compile the original")
-        stubs = stubs_of(plan, _sources(models), _texts(_sketch_files(output)))
+        stubs = stubs_of(plan, stored_sources(models), sketch_texts(sketch_files(output)))
         try:
-            program = _original(models, folder / "source", trusted, stubs)
+            program = stored_original(models, folder / "source", trusted, stubs)
         except VerificationError as error:
             at = error.location
             where = f" ({Path(at.path).name}:{at.line})" if at is not None and at.line else ""
@@ -246,9 +244,9 @@ def _compared(
         verdict.original = f"{program.title}, {program.compiler}"
         verdict.stubbed = [*program.stubbed, *stubs.headers, *stubs.symbols]
         targets = {str(use.name): str(use.targetName or use.name) for use in plan.adapterUses}
-        if own := written_in(_sketch_files(output), {targets[name] for name in program.stubbed}):
+        if own := written_in(sketch_files(output), {targets[name] for name in program.stubbed}):
             stubbed = _compiled_with_stubs(output, folder / "stubbed", own)
-            side = TargetSide(_board(models, stubbed), stubbed, ports, engine, vcd is not None, _source_mv(plan))
+            side = TargetSide(board_of(models, stubbed), stubbed, ports, engine, vcd is not None, source_mv(plan))
         called = {str(use.name) for use in plan.adapterUses}
         if program.is_store_comparable({port.source for port in ports}):
             program = program.with_store_bytes(side.store_bytes)
@@ -340,27 +338,6 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
 # ---- both sides
 
 
-def _board(models: MigrationModels, report: CompileReport) -> platform.Board:
-    stored = models.plan.board
-    return stored if stored is not None and stored.name == report.board else load_board(report.board)
-
-
-def _source_mv(plan: migration.MigrationPlan) -> float:
-    """The supply of the source board, if the plan has one, whose parts are fed by it; else 0."""
-    board = source_board_of(plan)
-    return board.volts * 1000 if board is not None else 0.0
-
-
-def _sketch_files(output: Path) -> list[Path]:
-    """The files of the migrated program as it is now."""
-    sketch, _ = find_sketch(output)
-    return [sketch.main, *sketch.parts, *(path for path in sorted(sketch.folder.glob("*")) if path.suffix in (".h", ".hpp"))]
-
-
-def _texts(files: Sequence[Path]) -> list[str]:
-    return [read_text(path, SOURCE, errors=AS_BYTES) for path in files]
-
-
 def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileReport:
     """Compile a copy of the migrated program in which some functions do nothing.
 
@@ -368,7 +345,7 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
         VerificationError: it does not compile.
     """
     shutil.copytree(output, place / "out", ignore=shutil.ignore_patterns("build", ".*"))
-    for path in _sketch_files(place / "out"):
+    for path in sketch_files(place / "out"):
         text = read_text(path, SOURCE, errors=AS_BYTES)
         if (other := with_stubs(text, names)) != text:
             path.write_text(other, encoding="utf-8", errors=AS_BYTES)
@@ -377,27 +354,6 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
     if report.elf is None:
         raise VerificationError(f"the migrated program does not compile without {', '.join(sorted(names))}")
     return report
-
-
-def _original(models: MigrationModels, place: Path, trusted: bool = False, stubs: Stubs | None = None) -> Original:
-    plan = models.plan
-    assert plan.program is not None
-    assert plan.source is not None
-    if (board := source_board_of(plan)) is not None:
-        texts = {path.removeprefix(STORED_FILES): text for path, text in _sources(models).items()}
-        main = str(plan.program.units[0].path).removeprefix(STORED_FILES)
-        return engine_original(texts, main, str(plan.source.name), board, place)
-    stored = place / "stored"
-    files = written_sources(list(plan.program.units), _sources(models), stored)
-    sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
-    with acting(host=True):
-        model = load_host_model(str(plan.source.name))
-        return HostOriginal(original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted, stubs=stubs))
-
-
-def _sources(models: MigrationModels) -> dict[str, bytes]:
-    """Path -> content of the program's files, as the plan has recorded them."""
-    return {str(entry.path): models.files[entry.path] for entry in models.plan.inputs if entry.kind == "source"}
 
 
 class _Made(Struct):
@@ -425,7 +381,7 @@ def _cases(
     assert plan.program is not None
     steps = most_steps(plan.program)
     texts, numbers, types = texts_understood(plan), numbers_understood(plan), reads_console(plan)
-    digest = search_digest(program, _sources(models), ports, texts, types, seed, limits, steps, numbers)
+    digest = search_digest(program, stored_sources(models), ports, texts, types, seed, limits, steps, numbers)
     if (ended := stored_search(stored, digest, program)) is not None:
         verdict.racy, made.racy_counts, verdict.search = ended.racy, ended.racy_counts, ended.told
         return cases, made

@@ -15,7 +15,7 @@ from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.plan import called
+from robosmi.transformations.queries.plans.plan import called, open_choices
 from robosmi.transformations.queries.plans.retained_pins import ignores_unwired, retained_calls, retains_platform
 from robosmi.transformations.queries.plans.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
@@ -159,6 +159,34 @@ def _cut(whole: Listed, lines: int) -> Listed:
 
 
 # ---- sums in words
+
+
+def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: int) -> tuple[str, str]:
+    """The state of a migration (needs-you, works or not-verified), and the same in words.
+
+    Args:
+        plan: the plan.
+        screen: its first screen.
+        errors: number of errors among its findings, without the verdict.
+    """
+    to_write = sum(not task.done for task in Work(plan).write)
+    left = [
+        (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
+        (len(screen.shortages), "shortage", "on the board"),
+    ]  # fmt: skip
+    if needs := [f"{quantity(count, what)} {why}" for count, what, why in left if count]:
+        return "needs-you", f"Needs you: {', '.join(needs)}"
+    verdict = next((str(finding.rule) for finding in plan.findings if finding.rule in _RESULTS), "")
+    return _RESULTS.get(verdict, ("not-verified", "Not verified: not compared with the original yet"))
+
+
+_RESULTS = {
+    "RS850": ("works", "Works: no difference found between the original and the sketch"),
+    "RS851": ("needs-you", "Needs you: the sketch behaves differently from the original"),
+    "RS852": ("not-verified", "Not verified: the comparison with the original could not decide"),
+    "RS853": ("needs-you", "Needs you: the sketch does not compile"),
+}
+"""Rule of a verdict -> the state of a migration in which nothing is left to do, and the same in words."""
 
 
 def works(plan: migration.MigrationPlan, work: Work) -> str:

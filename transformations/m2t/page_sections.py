@@ -1,4 +1,4 @@
-"""The contents of a plan's web page, section by section: what works, decide, write, check, wiring, history.
+"""The contents of a plan's web page, section by section: what works, wiring, decide, write, check, verdict, history.
 
 These are values for templates, from the same queries as the report and the terminal. `page_code` makes the program beside its
 sketch; `chains.page` composes the page and answers its requests.
@@ -9,37 +9,56 @@ Also: lines of the source that elements of the code model are in.
 from __future__ import annotations
 
 import base64
-from collections.abc import Mapping, Sequence
+import re
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from robosmi.base.data_text import Json
-from robosmi.diagnostics import Finding
+from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
-from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
+from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, result_in_words, task_place
 from robosmi.transformations.m2t.move_text import move_text
-from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO
+from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, known_differences
+from robosmi.transformations.queries.circuits.circuit_walk import natural_key
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.answers import answer
 from robosmi.transformations.queries.plans.choices import AvailableChoice, Choice, Option, available_choices, choices, reason
 from robosmi.transformations.queries.plans.moved_wires import moved_wiring
 from robosmi.transformations.queries.plans.plan import as_findings
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
 from robosmi.transformations.queries.plans.verdicts import verdict_counts
 from robosmi.transformations.queries.reports.work import Work
 from robosmi.transformations.queries.reports.written_bodies import task_key
 
+_SHOWN = 5
+"""Number of errors on the first screen."""
 CHUNK = 25
 """Rows that a browser lays out together; chunks out of sight are laid out later."""
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Notes"}
 
 
-def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Any]:
-    """How much works, and how many constructs have each verdict; `known` are results for the plan that are known already."""
+def works(
+    plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None, findings: Sequence[Finding] = ()
+) -> dict[str, Any]:
+    """The result in one line, the errors, how much works, the known differences, and how many constructs have each verdict.
+
+    Args:
+        plan: the plan.
+        sources: path of a unit -> its bytes.
+        known: results for the plan that are known already.
+        findings: those of the plan, as the project file judges them.
+    """
     known = known if known is not None else counted(plan, sources)
     screen = first_screen(plan, sources, known=known)
     counts = verdict_counts(known.judged)
+    errors = [finding_row(finding) for finding in findings if finding.severity is Severity.error]
+    state, result = result_in_words(plan, screen, len(errors))
     return {
+        "state": state, "result": result, "errors": errors[:_SHOWN], "more_errors": len(errors[_SHOWN:]),
+        "differences": [(row["functions"], row["limit"]) for row in known_differences(plan)],
         "works": screen.works, "needs": screen.needs, "shortages": list(screen.shortages),
         "totals": [(each.title, each.total) for each in (screen.decide, screen.write, screen.check)],
         "moved": move_text(plan),
@@ -54,18 +73,19 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
     open_ = [one for one in shown if one["open"]]
     drawing = plan.circuit is None and any(one["kind"] == "port" for one in open_)
-    return {"open": open_, "made": [one for one in shown if not one["open"]], "wants_drawing": drawing}
+    made = [one for one in shown if not one["open"]]
+    return {"open": open_, "made": made, "total": len(shown), "wants_drawing": drawing}
 
 
 def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
     """The choice of a component's role; it is never open, since an unknown component counts as an input."""
     return {
         "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
-        "by": WHO[told.by], "at": "", "why": told.why, "title": f"What is '{told.subject}' for?", "line": "",
-        "ranked": [], "command": f"robosmi choose {output} {told.id}=ROLE",
+        "by": WHO[told.by], "at": "", "why": told.why, "title": f"What is '{told.subject}' for?", "context": [],
+        "answer": told.chosen, "pins": "", "ranked": [], "command": f"robosmi choose {output} {told.id}=ROLE",
         "drawn": [],
         "others": [
-            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen}
+            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": ""}
             for o in told.options
         ],
     }  # fmt: skip
@@ -82,43 +102,67 @@ def _choice(
     libraries = {} if port else {c.name: c for c in decision.candidates}  # type: ignore[attr-defined]
 
     def answer_row(option: Option) -> dict[str, Json]:
-        known = option.value in pins
+        wire = pins.get(option.value)
         return {
             "value": option.value, "score": f"{option.score:.2f}" if option.score else "", "why": option.why,
-            "chosen": option.value == told.chosen, "plain": not option.score,
-            "label": _short(pins[option.value]) if known else option.value, "title": _on(pins[option.value]) if known else "",
-            "facts": _facts(libraries[option.value]) if option.value in libraries else "",
+            "chosen": option.value == told.chosen, "label": label_of(option.value), "title": _on(wire) if wire else "",
+            "facts": _facts(libraries[option.value]) if option.value in libraries else "", "pin": _pin(wire, option.value),
         }  # fmt: skip
 
+    def label_of(value: str) -> str:
+        return _part(pins[value], plan) if value in pins else _NONE[one.kind] if value == NOT_WIRED else value
+
+    ranked = [answer_row(option) for option in told.options if option.score]
     plain = [option for option in told.options if not option.score]
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told.chosen or "",
         "by": WHO[told.by], "at": told.at or "", "why": told.why, "table": how.table,
         "title": f"Which pin is port {said} on?" if port else f"Which library drives '{one.subject}'?",
-        "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
-        "ranked": [answer_row(option) for option in told.options if option.score],
+        "answer": label_of(told.chosen or ""),
+        "context": context_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else [],
+        "pins": " ".join(_pins_of(decision) if told.chosen else [str(row["pin"]) for row in ranked if row["pin"]]),
+        "ranked": ranked,
         "drawn": [answer_row(option) for option in plain if option.value in pins],
         "others": [answer_row(option) for option in plain if option.value not in pins],
         "command": f"robosmi choose {output} {one.id}={'PIN' if port else 'LIBRARY'}",
     }  # fmt: skip
 
 
+_NONE = {"port": "Not connected", "library": "No library"}
+"""Kind of a choice -> the words for its answer `none`."""
+
+
+def _pins_of(decision: migration.Decision) -> list[str]:
+    """The pins that a made decision is about, the one at which the part answers too."""
+    if not isinstance(decision, migration.PortBinding):
+        return []
+    answers = [decision.answer.pin] if decision.answer is not None else []
+    return list(dict.fromkeys(str(pin.label) for pin in (bound_pin(decision), *answers) if pin is not None))
+
+
+def _pin(wire: migration.Connection | None, value: str) -> str:
+    """The board's pin that an answer means; a free pin is called by its label."""
+    if wire is None:
+        return "" if value == NOT_WIRED else value
+    return str(wire.pin.label) if wire.pin is not None else ""
+
+
 def _on(connection: migration.Connection) -> str:
-    """A connection in full: the pin, the connectors, the component and its part."""
-    pin = connection.pin.label if connection.pin is not None else "no pin"
+    """The connectors of a connection and the kind of part."""
     component = connection.component
-    if component is None:
-        return str(pin)
     wires = ", ".join(displayed_names(connection.connectors))
-    return f"{pin}: {wires} of {component.title}{f' ({component.partTitle})' if component.partTitle else ''}"
+    return f"{wires} of {component.partTitle or component.title}" if component is not None else ""
 
 
-def _short(connection: migration.Connection) -> str:
-    """A connection in short: the pin, the connectors, the component."""
+def _part(connection: migration.Connection, plan: migration.MigrationPlan) -> str:
+    """A connection as a person names it: the part, its connector where it has several, and the pin."""
     pin = str(connection.pin.label) if connection.pin is not None else str(connection.name)
     component = connection.component
-    wires = ", ".join(displayed_names(connection.connectors))
-    return f"{pin}: {wires} of {component.title}" if component is not None else pin
+    if component is None:
+        return pin
+    several = sum(other.component is component for other in plan.connections) > 1
+    wires = f" {', '.join(displayed_names(connection.connectors))}" if several else ""
+    return f"{component.title}{wires} ({pin})"
 
 
 def _facts(library: platform.Library) -> str:
@@ -168,18 +212,28 @@ def _stub(text: str, name: str) -> list[str]:
     return lines[at : end + 1] if any("TODO" in line for line in lines[at : end + 1]) else []
 
 
-def check(plan: migration.MigrationPlan, notes: Sequence[Finding], places: dict[str, str]) -> dict[str, Any]:
-    """The findings by severity, the worst first, and what is to be checked on the bench, component by component."""
-    rows: dict[str, list[tuple[str, str, str, str]]] = {level: [] for level in SEVERITIES}
-    for note in notes:
-        rows[note.severity.name].append(finding_row(note))
-    for finding in plan.findings:
-        row = _row(finding, places)
-        if row[0] not in VERDICT_RULES:
-            rows[str(finding.severity.name)].append(row)
+def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[str, Any]:
+    """The findings by severity, the worst first, and what is to be checked on the bench, component by component.
+
+    Args:
+        plan: the plan.
+        findings: of the plan and its inputs, as the project file judges them.
+    """
+    names = _accepted_names(plan, findings)
+    about = Counter((finding.rule, names(finding)) for finding in findings if finding.severity >= Severity.warning)
+    rows: dict[str, list[tuple[str, ...]]] = {level: [] for level in (*SEVERITIES, _ON_PURPOSE)}
+    for finding in findings:
+        if "accepted" in finding.evidence:
+            rows[_ON_PURPOSE].append((*finding_row(finding), names(finding), "", str(finding.evidence["accepted"])))
+        elif finding.severity >= Severity.warning:
+            count = about[finding.rule, names(finding)]
+            rows[finding.severity.name].append((*finding_row(finding), names(finding), _all(finding.rule, count), ""))
+        else:
+            rows[finding.severity.name].append((*finding_row(finding), "", "", ""))
+    titles = {**SEVERITIES, _ON_PURPOSE: "On purpose"}
     groups = [
         {"title": title, "level": level, "total": len(rows[level]), "chunks": chunked(rows[level])}
-        for level, title in SEVERITIES.items()
+        for level, title in titles.items()
         if rows[level]
     ]
     bench = [
@@ -194,6 +248,25 @@ def check(plan: migration.MigrationPlan, notes: Sequence[Finding], places: dict[
     return {"groups": groups, "bench": bench}
 
 
+_ON_PURPOSE = "accepted"
+
+
+def _all(rule: str, count: int) -> str:
+    """Which findings a person accepts together, where one entry of the project file stands for several."""
+    return f"all {count} of {rule}" if count > 1 else ""
+
+
+def _accepted_names(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> Callable[[Finding], str]:
+    """What `[[accept]]` calls the element of a finding: its component's title, `#model_index` if that is ambiguous, or `*`."""
+    titles = Counter(str(component.title) for component in (plan.circuit.components if plan.circuit is not None else ()))
+
+    def name(finding: Finding) -> str:
+        title, index = finding.evidence.get("component"), finding.evidence.get("model_index")
+        return str(title) if titles[str(title)] == 1 else f"#{index}" if index else finding.element or "*"
+
+    return name
+
+
 def tick_of(task: migration.PlanTask) -> str:
     """The identifier of a task to check on the bench in the page, the same as for the ticks of the report."""
     return " ".join(task_key(str(task.rule), str(task.message)))
@@ -206,27 +279,24 @@ def finding_row(finding: Finding) -> tuple[str, str, str, str]:
     return finding.rule, finding.message, where, finding.fix or ""
 
 
-def _row(finding: migration.PlanFinding, places: Mapping[str, str]) -> tuple[str, str, str, str]:
-    """A finding of a plan as a row, without looking up its elements: there may be thousands."""
-    path, where = str(finding.path), ""
-    if path:
-        line = finding.line
-        where = f"{places.get(path, path).rpartition('/')[2]}{f':{line}' if line else ''}"
-    return str(finding.rule), str(finding.message), where, str(finding.fix or "")
-
-
 def chunked(rows: Sequence[Any]) -> list[Sequence[Any]]:
     """The rows in chunks of `CHUNK`."""
     return [rows[at : at + CHUNK] for at in range(0, len(rows), CHUNK)]
 
 
-def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, Any]:
-    """The wiring as a picture with its findings marked, and as a table."""
+def wiring(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]) -> dict[str, Any]:
+    """The circuit as a picture with its findings marked, the facts about each wire, and the wiring as a table.
+
+    Args:
+        plan: the plan.
+        sources: path of a unit -> its bytes.
+        findings: of the plan, as the project file judges them.
+    """
     ports: dict[str, list[str]] = {}
     for binding in plan.portBindings:
         if binding.pin is not None:
             ports.setdefault(binding.pin.label, []).append(str(binding.name))
-    wrong = as_findings(Q(f for f in plan.findings if str(f.rule).startswith("RS2")), places)
+    wrong = [finding for finding in findings if finding.rule.startswith("RS2") and "accepted" not in finding.evidence]
     rows = [
         (
             c.pin.label if c.pin is not None else "", str(c.component.title) if c.component is not None else "",
@@ -237,11 +307,54 @@ def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, A
     ]  # fmt: skip
     drawn = {c.pin.label for c in plan.connections if c.pin is not None}
     rows += [(label, "", "", "", ", ".join(names)) for label, names in ports.items() if label not in drawn]
-    picture = svg(plan.circuit, wrong, ports).partition("?>")[2] if plan.circuit is not None else ""
+    picture = svg(plan.circuit, wrong, ports).partition("?>")[2].lstrip() if plan.circuit is not None else ""
     both = moved_wiring(plan)
     if both is not None and not plan.connections:
         rows = []
-    return {"rows": rows, "picture": _image(picture) if picture else "", "both": both}
+    return {"rows": rows, "picture": picture, "wires": _wires(plan, sources, wrong) if picture else [], "both": both}
+
+
+def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]) -> list[dict[str, Json]]:
+    """For each pin of the board that something is wired to: its parts, ports, source lines and findings."""
+    parts: dict[str, list[str]] = {}
+    elements: dict[str, set[str]] = {}
+    for wire in plan.connections:
+        if wire.pin is not None and wire.component is not None:
+            parts.setdefault(str(wire.pin.label), []).append(
+                f"{wire.component.title} {', '.join(displayed_names(wire.connectors))}"
+            )
+            elements.setdefault(str(wire.pin.label), set()).update(str(each.elementId) for each in (wire.component, *wire.via))
+    used: dict[str, list[migration.PortBinding]] = {}
+    for binding in plan.portBindings:
+        for pin in _pins_of(binding):
+            used.setdefault(pin, []).append(binding)
+    calls: dict[int, list[ccode.Located]] = {}
+    for flow in plan.portFlows:
+        for binding in flow.bindings:
+            calls.setdefault(id(binding), []).extend(flow.calls)
+    return [
+        {
+            "pin": pin, "label": f"{pin}: {'; '.join(titles)}", "ports": ", ".join(_port_name(b) for b in used.get(pin, ())),
+            "lines": _lines(
+                [each for b in used.get(pin, ()) for each in (b.element, *calls.get(id(b), ()))], sources
+            ),
+            "findings": [
+                finding_row(f)
+                for f in findings
+                if f.evidence.get("model_index") in elements[pin] or re.search(rf"\b{re.escape(pin)}\b", f.message)
+            ],
+        }
+        for pin, titles in sorted(parts.items(), key=lambda item: natural_key(item[0]))
+    ]  # fmt: skip
+
+
+def _port_name(binding: migration.PortBinding) -> str:
+    return f"{binding.name} ({binding.what})" if binding.what else str(binding.name)
+
+
+def _lines(elements: Sequence[ccode.Located | None], sources: Mapping[str, bytes]) -> list[str]:
+    """The source lines of some elements, each once."""
+    return [line for line in dict.fromkeys(line_of(element, sources) for element in elements) if line]
 
 
 def _image(picture: str) -> str:
@@ -274,6 +387,21 @@ def history(plan: migration.MigrationPlan) -> dict[str, Any]:
 _LONGEST = 120
 
 
+def context_of(element: ccode.Located | None, sources: Mapping[str, bytes]) -> list[tuple[int, str, bool]]:
+    """The source line of an element with the ones before and after it: number, text, and whether it is the line itself.
+
+    Args:
+        element: an element of the code model.
+        sources: path of a unit -> its bytes.
+    """
+    lines = _lines_with(element, sources)
+    if element is None or not lines:
+        return []
+    at = element.line - 1
+    shown = range(max(at - 1, 0), min(at + 2, len(lines)))
+    return [(number + 1, _cut(lines[number].expandtabs(4).rstrip()), number == at) for number in shown]
+
+
 def line_of(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
     """The source line of an element with its number in front; empty if the source is not stored.
 
@@ -281,11 +409,18 @@ def line_of(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
         element: an element of the code model.
         sources: path of a unit -> its bytes.
     """
+    lines = _lines_with(element, sources)
+    return f"{element.line}: {_cut(' '.join(lines[element.line - 1].split()))}" if element is not None and lines else ""
+
+
+def _lines_with(element: ccode.Located | None, sources: Mapping[str, bytes]) -> list[str]:
+    """The lines of the file that an element is in; none if the file is not stored or has no such line."""
     unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
     if element is None or unit is None or unit.path not in sources:
-        return ""
+        return []
     lines = sources[unit.path].decode("utf-8", "replace").splitlines()
-    if not 0 < element.line <= len(lines):
-        return ""
-    text = " ".join(lines[element.line - 1].split())
-    return f"{element.line}: {text if len(text) <= _LONGEST else f'{text[:_LONGEST]} ...'}"
+    return lines if 0 < element.line <= len(lines) else []
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]} ..."

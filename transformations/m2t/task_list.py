@@ -12,7 +12,7 @@ from typing import Any
 from robosmi.base.data_text import Json
 from robosmi.base.quantities import quantity
 from robosmi.metamodels import ccode, migration
-from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
+from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, result_in_words, task_place
 from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.choices import reason
@@ -40,8 +40,11 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     judged = known.judged
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
     of_macros = MacroCalls(plan)
-    taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
+    differences = known_differences(plan)
+    taken = 1 + sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
+    taken += 3 + min(len(differences), _DIFFERENCES) if differences else 0
     screen = first_screen(plan, sources, taken, known)
+    errors = [f for f in plan.findings if f.severity is migration.SeverityLevel.error and f.rule not in VERDICT_RULES]
     tasks = {(task.rule, task.path, task.line) for task in plan.tasks}
     return {
         "name": plan.name,
@@ -51,6 +54,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "verdicts": [_said(f, plan) for f in verdicts],
         "drawn": DRAWN_RULES,
         "screen": screen,
+        "result": result_in_words(plan, screen, len(errors))[1],
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
         "moved": move_text(plan),
@@ -68,7 +72,8 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "counts": _counts(judged),
         "groups": [*(_group(u, judged) for u in (plan.program.units if plan.program else [])), *_outside(judged)],
         "adapters": [_adapter(a, of_macros) for a in plan.adapterUses],
-        "limits": _limits(plan),
+        "differences": differences[:_DIFFERENCES],
+        "more_differences": differences[_DIFFERENCES:],
         "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
 
@@ -103,6 +108,8 @@ VERDICT_RULES = frozenset({"RS850", "RS851", "RS852", "RS853"})
 """Rules of findings that are the verdict of comparing the generated program with the original."""
 DRAWN_RULES = frozenset({"RS850", "RS851"})
 """Those rules whose finding comes with a picture of what both programs do."""
+_DIFFERENCES = 3
+"""Number of known differences on the first screen."""
 PICTURE = "verification.svg"
 """Name of that picture's file, in the folder of the models."""
 
@@ -231,7 +238,7 @@ def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, 
     }  # fmt: skip
 
 
-def _limits(plan: migration.MigrationPlan) -> list[dict[str, str]]:
+def known_differences(plan: migration.MigrationPlan) -> list[dict[str, str]]:
     """The limits of adapters, each once with the functions that have it."""
     found: dict[str, list[str]] = {}
     for use in plan.adapterUses:

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import os
 import re
 import shutil
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from importlib import metadata
 from operator import attrgetter
@@ -21,6 +22,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.base.data_tables import KIND
 from robosmi.base.data_text import Json
@@ -47,7 +49,8 @@ from robosmi.verify.toolchains.tools import (
     install_fix,
     tool_version,
 )
-from robosmi.verify.uploads.uploader import find_program, uploader_data
+from robosmi.verify.uploads import serial_ports
+from robosmi.verify.uploads.uploader import COPY, find_program, uploader_data
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -64,14 +67,7 @@ def run(arguments: argparse.Namespace) -> Report:
     found = tools()
     kinds = registered_content()
     report.result = {"tools": [tool.to_json() for tool in found], "content": [each.to_json() for each in kinds]}
-    width = max(len(tool.name) for tool in found)
-    for tool in found:
-        state = f"{tool.version or 'found'}" if tool.found else "missing"
-        report.lines.append(f"{tool.name:{width}}  {state:12}  {tool.needed_for}")
-        if not tool.found and tool.gives:
-            report.lines.append(f"{'':{width}}  gives: {tool.gives}")
-        if not tool.found and tool.fix:
-            report.lines.append(f"{'':{width}}  do: {tool.fix}")
+    report.lines = list(lines_of(found))
     report.lines += ["", "registered content:"]
     width = max(len(each.kind.kind) for each in kinds) + 2
     for each in kinds:
@@ -95,12 +91,25 @@ PACKAGES = {
 
 OPTIONAL = {
     "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: serve the commands as tools for assistants, confined to one folder"),
-    "SQLAlchemy": ("sqlalchemy", "a shared history", "database", "sharing a library history in a database"),
+    "SQLAlchemy": (
+        "sqlalchemy",
+        "corpus, a shared history",
+        "database",
+        "running a corpus; sharing a library history in a database",
+    ),
+    "distributed": ("distributed", "corpus --scheduler", "cluster", "running a corpus on more than one machine"),
+    "pyarrow": ("pyarrow", "corpus export", "parquet", "exporting the tables of a corpus as Parquet files"),
 }
 """Optional Python packages: distribution name -> (what is imported to test it, its purpose, the extra, what it enables)."""
+_SHOWN = 4
+"""Boards of an upload tool that are listed."""
 _SIMULATION = "simulating the migrated program (simulate, verify); one simulator is enough"
 _ORIGINALS = "running the original (verify)"
 _UPLOAD = "uploading a compiled sketch"
+READ, COMPILE, UPLOAD, ORIGINALS, SIMULATE, MORE, PLUGINS = (
+    "read and migrate", "compile", "upload", "run the original", "simulate", "more", "plug-ins"
+)  # fmt: skip
+"""What tools are needed for, in the order of a person's work."""
 
 
 class ToolStatus(Struct, frozen=True):
@@ -113,6 +122,7 @@ class ToolStatus(Struct, frozen=True):
         version: its version; None if it is missing, `unknown` if it does not tell.
         fix: how to get it, or None if it is there.
         gives: what can be done with it that cannot be done without it.
+        purpose: the group in which it is listed.
     """
 
     name: str
@@ -121,6 +131,7 @@ class ToolStatus(Struct, frozen=True):
     version: str | None
     fix: str | None
     gives: str = ""
+    purpose: str = ""
 
     def to_json(self) -> dict[str, str | None]:
         """The contract's form."""
@@ -131,6 +142,7 @@ class ToolStatus(Struct, frozen=True):
             "version": self.version,
             "fix": self.fix,
             "gives": self.gives,
+            "purpose": self.purpose,
         }
 
 
@@ -146,15 +158,33 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         PlatformDataError: a toolchain's data is damaged.
         SourceError: found data that names programs is not trusted.
     """
-    result = [_package(name, module, needed_for) for name, (module, needed_for) in PACKAGES.items()]
     with acting(project):
-        for toolchain in load_toolchains(project):
-            result += _programs(toolchain)
-            result.append(_core(toolchain))
-        result += _uploaders(load_toolchains(project), project)
-        result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
-    optional = (_optional(name, *facts) for name, facts in OPTIONAL.items())
-    return [*result, *(_engine(name) for name in engine_names()), *optional, *_plugins()]
+        toolchains = load_toolchains(project)
+        groups = {
+            READ: [_package(name, module, needed_for) for name, (module, needed_for) in PACKAGES.items()],
+            COMPILE: [each for toolchain in toolchains for each in (*_programs(toolchain), _core(toolchain))],
+            UPLOAD: [*_uploaders(toolchains, project), *_managers(toolchains)],
+            ORIGINALS: [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)],
+        }
+    groups[SIMULATE] = [_engine(name) for name in engine_names()]
+    groups[MORE] = [_optional(name, *facts) for name, facts in OPTIONAL.items()]
+    groups[PLUGINS] = list(_plugins())
+    return [replace(tool, purpose=purpose) for purpose, found in groups.items() for tool in found]
+
+
+def lines_of(found: Sequence[ToolStatus]) -> Iterator[str]:
+    """The tools as a person reads them: by purpose, with what is missing in the headline of each."""
+    width = max(len(tool.name) for tool in found)
+    for purpose in dict.fromkeys(tool.purpose for tool in found):
+        group = {(tool.name, tool.found): tool for tool in found if tool.purpose == purpose}  # some need the same programs
+        missing = list(dict.fromkeys(tool.name for tool in group.values() if not tool.found))
+        yield f"{purpose}: {'missing ' + ', '.join(missing) if missing else 'ready'}"
+        for tool in group.values():
+            yield f"  {tool.name:{width}}  {(tool.version or 'found') if tool.found else 'missing':14}  {tool.needed_for}"
+            if not tool.found and tool.gives:
+                yield f"  {'':{width}}  gives: {tool.gives}"
+            if not tool.found and tool.fix:
+                yield f"  {'':{width}}  do: {tool.fix}"
 
 
 class KindStatus(Struct, frozen=True):
@@ -313,13 +343,54 @@ def _programs(toolchain: Toolchain) -> Iterator[ToolStatus]:
 
 
 def _uploaders(toolchains: Iterable[Toolchain], project: Path | None) -> Iterator[ToolStatus]:
-    """The tools that put programs on boards, each once."""
-    for toolchain in {toolchain.uploader: toolchain for toolchain in toolchains if toolchain.uploader}.values():
-        data, env = uploader_data(toolchain, project), environment(toolchain)
-        found = find_program(data)
-        version = tool_version(found[0], data.texts("version"), env) if found else None
-        fix = None if found else install_fix(toolchain, [data.text("package")])
-        yield ToolStatus(data.text("command"), "upload", found[0] if found else None, version, fix, _UPLOAD)
+    """The tools that put programs on boards, each once and with its boards, and the ports at which a board may be.
+
+    A tool that copies to the board's drive is no program.
+    """
+    boards: dict[str, list[str]] = {}
+    of: dict[str, Toolchain] = {}
+    for toolchain in toolchains:
+        for board in load_boards(toolchain.platform, project):
+            name = (board.boot_loader.tool if board.boot_loader is not None else "") or toolchain.uploader
+            if name and board.boot_loader is not None:
+                boards.setdefault(name, []).append(board.name)
+                of.setdefault(name, toolchain)
+    patterns: list[str] = []
+    for name, toolchain in of.items():
+        data = uploader_data(toolchain, project, name)
+        patterns += data.texts("ports", ())
+        if data.text("kind", "") == COPY:
+            continue
+        program = find_program(data)
+        version = tool_version(program[0], data.texts("version"), environment(toolchain)) if program else None
+        fix = None if program else install_fix(toolchain, [data.text("package")])
+        listed = ", ".join(sorted(boards[name])[:_SHOWN]) + (" ..." if len(boards[name]) > _SHOWN else "")
+        yield ToolStatus(
+            data.text("command"), f"upload to {listed}", program[0] if program else None, version, fix, f"{_UPLOAD} to {listed}"
+        )
+    if of:
+        yield port_status(serial_ports.ports(dict.fromkeys(patterns)))
+
+
+def _managers(toolchains: Iterable[Toolchain]) -> Iterator[ToolStatus]:
+    """The library managers of the toolchains."""
+    for toolchain in toolchains:
+        if (data := toolchain.libraries.table("manager", needed=False)).values:
+            path, gives = shutil.which(data.text("command")), "installing libraries by name; without it, from their zip files"
+            version = tool_version(path, ("version",)) if path else None
+            yield ToolStatus(
+                data.text("command"), "libraries install", path, version, None if path else data.text("missing"), gives
+            )
+
+
+def port_status(ports: Sequence[str]) -> ToolStatus:
+    """Whether there is a serial port that this user may open."""
+    usable = [port for port in ports if os.access(port, os.R_OK | os.W_OK)]
+    fix = "connect the board by a USB cable that carries data"
+    if ports:
+        fix = f"join the group that owns {ports[0]} (sudo usermod -aG dialout $USER), and log in again"
+    found = ", ".join(usable)
+    return ToolStatus("serial port", "upload", found or None, found or None, None if usable else fix, _UPLOAD)
 
 
 def _core(toolchain: Toolchain) -> ToolStatus:

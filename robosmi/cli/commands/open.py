@@ -44,7 +44,15 @@ def run(arguments: _Arguments) -> Report:
     return report
 
 
-def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, source: Path | None = None) -> None:
+def serve(
+    report: Report,
+    output: Path,
+    port: int = 0,
+    *,
+    browser: bool = True,
+    source: Path | None = None,
+    page: Content | None = None,
+) -> None:
     """Extend a report so that it continues with a page that is served until Ctrl-C.
 
     Args:
@@ -53,12 +61,14 @@ def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, 
         port: the port, 0 for any that is free.
         browser: whether to open a browser.
         source: a source of the program, where its place is not known.
+        page: what is served; the page of the output folder if None.
 
     Raises:
         SourceError, ModelError: the folder has no plan that can be read.
         UsageError: the port cannot be used.
     """
-    page: Content = content("chain", "page")(output, source)
+    page = page or content("chain", "page")(output, source)
+    assert page is not None
     page.document(live=True, nonce="")  # whatever is wrong with the plan is said before anything is served
     server = PageServer(page, port)
     report.result = {**report.result, "url": server.url, "pid": os.getpid()}

@@ -14,8 +14,8 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import UsageError
 from robosmi.report import Report
 
-CORPUS = "corpus.sqlite"
-"""The file that marks the output folder of a corpus run."""
+CORPUS = ("corpus.sqlite", "corpus.lock")
+"""The files that mark the output folder of a corpus run; its tables may be in a database elsewhere."""
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -48,6 +48,7 @@ def configure(parser: Options) -> None:
         "--kind", metavar="KIND", default="code",
         help="of a corpus: the kind of models that are asked: code (default), hardware, plan or platform",
     )  # fmt: skip
+    parser.add_argument("--store", metavar="URL", help="of a corpus: its database (default: OUT/corpus.sqlite)")
 
 
 class _Arguments(argparse.Namespace):
@@ -59,11 +60,12 @@ class _Arguments(argparse.Namespace):
     metamodels: list[Path]
     models: list[str]
     kind: str
+    store: str | None
 
 
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
-    if (arguments.model / CORPUS).is_file():
+    if arguments.store is not None or any((arguments.model / name).is_file() for name in CORPUS):
         return _over_corpus(arguments)
     from robosmi.model.ecore.metamodel import Metamodel
     from robosmi.model.emf import EmfModel
@@ -96,6 +98,7 @@ def run(arguments: _Arguments) -> Report:
 def _over_corpus(arguments: _Arguments) -> Report:
     """The values of the expression over the models of all programs of a corpus, each with its program."""
     from robosmi.corpus.model_queries import query_models
+    from robosmi.corpus.running import store_place
     from robosmi.corpus.settings import cores
     from robosmi.corpus.store import Store
 
@@ -103,7 +106,7 @@ def _over_corpus(arguments: _Arguments) -> Report:
         raise UsageError("a query over a corpus takes no further models", fix="omit --model, --metamodel and --driver")
     report = Report("query")
     out = arguments.model.absolute()
-    with Store(out / CORPUS) as store:
+    with Store(store_place(out, arguments.store)) as store:
         answers = list(query_models(store, out, arguments.expression, kind=arguments.kind, jobs=cores()))
     failed = sorted((answer for answer in answers if answer.error is not None), key=lambda answer: answer.program)
     if len(failed) == len(answers):

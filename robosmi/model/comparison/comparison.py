@@ -8,7 +8,7 @@ the one with fewer values is reported, since the other follows from it. What is 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,14 +18,13 @@ from robosmi.base.data_text import Json, json_written
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
-from robosmi.model.comparison.facts import Facts, compared, is_compared, plain
+from robosmi.model.comparison.facts import Facts, compared, follows, is_compared, plain
 from robosmi.model.comparison.matching import Matching
 from robosmi.model.elements.driver import Model, label
 from robosmi.model.elements.ecore import EObject
-from robosmi.model.elements.features import opposite
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Paths, Session
-from robosmi.model.xmi.xmi_layout import LINKS, Column
+from robosmi.model.xmi.xmi_layout import LINKS
 
 
 class Difference(Struct, frozen=True):
@@ -81,7 +80,7 @@ class ModelComparison:
     """
 
     def __init__(self, before: EmfModel, after: EmfModel) -> None:
-        _refuse_others(before, after)
+        refuse_others(before, after)
         self.findings = [*before.findings, *after.findings]
         self._before, self._after = Facts(before), Facts(after)
         self._matching = Matching(self._before, self._after)
@@ -177,7 +176,7 @@ class ModelComparison:
             ones, others = self._before.values(element, column), self._after.values(other, counterpart)
             if column.kind == LINKS:
                 before, after = self._targets(ones, others)
-                if _follows(column):
+                if follows(column):
                     common = set(before) & set(after)
                     before, after = ([each for each in known if each in common] for known in (before, after))
                 shown: tuple[list[Json], list[Json]] = (
@@ -213,20 +212,35 @@ def compare(before: str | Path | Model, after: str | Path | Model, metamodel: Pa
         SourceError: a file cannot be read.
         ModelError: a model contradicts its metamodel, they are of different ones, or one is no model of EMF.
     """
+    return ModelComparison(*opened_models((before, after), metamodel))
+
+
+def opened_models(given: Iterable[str | Path | Model], metamodel: Paths = ()) -> list[EmfModel]:
+    """Models of EMF: those that are given, and those of given files, which are opened in one session.
+
+    Args:
+        given: models and files.
+        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+
+    Raises:
+        SourceError: a file cannot be read.
+        ModelError: a model contradicts its metamodel, or is no model of EMF.
+    """
     session = Session()
-    opened = [each if isinstance(each, Model) else session.open_model(each, metamodel=metamodel) for each in (before, after)]
-    models = [model for model in opened if isinstance(model, EmfModel)]
-    for model in opened:
+    found: list[EmfModel] = []
+    for each in given:
+        model = each if isinstance(each, Model) else session.open_model(each, metamodel=metamodel)
         if not isinstance(model, EmfModel):
             raise ModelError(
                 f"the model {model.name} has no metamodel, so its elements cannot be told apart",
                 location=Location(str(model.path)) if model.path is not None else None,
                 fix="compare models in XMI, JSON or .ecore files",
             )
-    return ModelComparison(models[0], models[1])
+        found.append(model)
+    return found
 
 
-def _refuse_others(before: EmfModel, after: EmfModel) -> None:
+def refuse_others(before: EmfModel, after: EmfModel) -> None:
     """Refuse models whose roots are of different metamodels; one without roots may be compared with any."""
     spaces = [sorted({str(root.eClass.ePackage.nsURI) for root in model.roots}) for model in (before, after)]
     if all(spaces) and set(spaces[0]).isdisjoint(spaces[1]):
@@ -235,18 +249,6 @@ def _refuse_others(before: EmfModel, after: EmfModel) -> None:
             location=Location(str(after.path)) if after.path is not None else None,
             fix="compare two models of one metamodel; migrate the older one first if they are of two versions",
         )
-
-
-def _follows(column: Column) -> bool:
-    """Whether a reference is the opposite of one that says the same in fewer values; only its order is its own."""
-    other = opposite(column.feature)
-    if other is None or other is column.feature:
-        return False
-    if column.many != other.many:
-        return column.many
-    return bool(
-        (str(column.name), str(column.feature.eContainingClass.name)) > (str(other.name), str(other.eContainingClass.name))
-    )
 
 
 def _longest_rise(places: Sequence[int]) -> set[int]:

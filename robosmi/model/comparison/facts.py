@@ -12,7 +12,8 @@ from robosmi.base.data_text import Json
 from robosmi.model.elements import ecore
 from robosmi.model.elements.by_name import feature_value
 from robosmi.model.elements.ecore import EClass, EObject
-from robosmi.model.elements.features import is_of_ecore
+from robosmi.model.elements.feature_values import is_stored
+from robosmi.model.elements.features import is_of_ecore, opposite
 from robosmi.model.elements.fragments import fragment_of, own_id
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.proxies import proxy_uri
@@ -201,6 +202,20 @@ def compared(column: Column, value: Any) -> Json:
 def is_compared(column: Column) -> bool:
     """Whether a feature is one that has values or references, not contents."""
     return column.kind in (VALUE, VALUES, LINKS, DETAILS)
+
+
+def follows(column: Column) -> bool:
+    """Whether a reference is the opposite of one that says the same in fewer values; only its order is its own."""
+    other = opposite(column.feature)
+    if column.kind != LINKS or other is None or other is column.feature or other.transient:
+        return False
+    if other.derived and not is_stored(other):
+        return False
+    if column.many != other.many:
+        return column.many
+    return bool(
+        (str(column.name), str(column.feature.eContainingClass.name)) > (str(other.name), str(other.eContainingClass.name))
+    )
 
 
 def _is_named(element: Any) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -22,6 +23,23 @@ from robosmi.model.ecore.xmi_document import XMI_NAMESPACES
 
 _PLATFORM = re.compile(r"platform:/(?:resource|plugin)/(.+)")
 _OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES}
+
+
+CLASSIFIERS = ("EClass", "EDataType", "EEnum")
+"""What a file may hold besides packages."""
+
+
+def no_package(path: Path, roots: list[EcoreNode]) -> SourceError:
+    """The error for a file with a root that is no EPackage."""
+    from robosmi.diagnostics import Location
+
+    wrong = next((node for node in roots if node.tag != "EPackage"), roots[0])
+    alone = "keep EPackages alone in an .ecore file, and other elements in files of their own"
+    return SourceError(
+        f"the root '{wrong.tag}' is no EPackage" if len(roots) > 1 else f"the file holds a '{wrong.tag}', no EPackage",
+        location=Location(str(path), wrong.line),
+        fix=alone if len(roots) > 1 else "put it into an EPackage" if wrong.tag in CLASSIFIERS else "give an .ecore file",
+    )
 
 
 class EcoreFile:
@@ -63,9 +81,14 @@ def _step(node: EcoreNode, step: str) -> EcoreNode | None:
 
 
 class EcoreFiles:
-    """The .ecore files that a run has read, each once."""
+    """The .ecore files that a run has read, each once.
 
-    def __init__(self) -> None:
+    Args:
+        texts: the bytes of files that are not as they are stored, by absolute path.
+    """
+
+    def __init__(self, texts: Mapping[Path, bytes] | None = None) -> None:
+        self._texts = texts or {}
         self._files: dict[Path, EcoreFile] = {}
         self._by_uri: dict[str, tuple[EcoreFile, EcoreNode]] = {}
         self._beside: dict[Path, dict[str, Path]] = {}
@@ -74,23 +97,19 @@ class EcoreFiles:
         """Read a file, or give it again.
 
         Raises:
-            SourceError: it cannot be read, is no XML, or has a root that is no EPackage.
+            SourceError: it cannot be read, is no XML, or has a root that is no EPackage and no classifier.
         """
         place = Path(os.path.realpath(path))
         if place in self._files:
             return self._files[place]
-        root = read_nodes(read_input(path, "metamodel", inputs.MODEL), path)
+        text = self._texts.get(place)
+        root = read_nodes(read_input(path, "metamodel", inputs.MODEL) if text is None else text, path)
         roots = [n for n in root.children if not XMI_NAMESPACES.fullmatch(n.namespace)] if root.tag == "XMI" else [root]
-        if not roots or any(node.tag != "EPackage" for node in roots):
-            from robosmi.diagnostics import Location
-
-            wrong = next((node for node in roots if node.tag != "EPackage"), root)
-            alone = "keep EPackages alone in an .ecore file, and other elements in files of their own"
-            raise SourceError(
-                f"the root '{wrong.tag}' is no EPackage" if len(roots) > 1 else f"the file holds a '{wrong.tag}', no EPackage",
-                location=Location(str(path), wrong.line),
-                fix=alone if len(roots) > 1 else "give an .ecore file",
-            )
+        for node in roots:
+            if node.tag in CLASSIFIERS:
+                node.kind = node.tag
+        if not roots or any(node.tag not in ("EPackage", *CLASSIFIERS) for node in roots):
+            raise no_package(path, roots or [root])
         file = self._files[place] = EcoreFile(path, roots)
         for top in roots:
             for node in top.walk():

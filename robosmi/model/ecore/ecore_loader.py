@@ -8,7 +8,7 @@ say of a metamodel is not asked here.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from functools import partial
 from pathlib import Path
@@ -34,7 +34,7 @@ from robosmi.model.ecore.ecore_description import (
     TypeParameter,
     known,
 )
-from robosmi.model.ecore.ecore_files import EcoreFile, EcoreFiles
+from robosmi.model.ecore.ecore_files import EcoreFile, EcoreFiles, no_package
 from robosmi.model.ecore.ecore_xml import EcoreNode
 
 GENMODEL = "http://www.eclipse.org/emf/2002/GenModel"
@@ -74,11 +74,15 @@ class MetamodelError(ModelError):
         )
 
 
-def load_metamodels(paths: Iterable[Path]) -> list[Package]:
+def load_metamodels(
+    paths: Iterable[Path], *, classifiers: bool = False, texts: Mapping[Path, bytes] | None = None
+) -> list[Package]:
     """Read .ecore files and every file that they refer to.
 
     Args:
         paths: the files.
+        classifiers: whether these files may have roots that are classifiers; they are in a package without a name.
+        texts: the bytes of files that are not as they are stored, by absolute path.
 
     Returns:
         The outermost packages: those of the given files first, in the order given, then those of the files referred to.
@@ -87,14 +91,18 @@ def load_metamodels(paths: Iterable[Path]) -> list[Package]:
         SourceError: a file cannot be read, is no XML or holds no EPackage.
         MetamodelError: references lead nowhere, names or types are missing; all problems together.
     """
-    return MetamodelReader().read(paths)
+    return MetamodelReader(texts).read(paths, classifiers=classifiers)
 
 
 class MetamodelReader:
-    """Reads .ecore files one after the other; files read before are reused, so that later files can refer to them."""
+    """Reads .ecore files one after the other; files read before are reused, so that later files can refer to them.
 
-    def __init__(self) -> None:
-        self.files = EcoreFiles()
+    Args:
+        texts: the bytes of files that are not as they are stored, by absolute path.
+    """
+
+    def __init__(self, texts: Mapping[Path, bytes] | None = None) -> None:
+        self.files = EcoreFiles(texts)
         self.problems: list[Problem] = []
         self._packages: dict[EcoreFile, list[Package]] = {}
         self._referred_to: dict[EcoreFile, dict[EcoreFile, None]] = {}
@@ -102,7 +110,7 @@ class MetamodelReader:
         self._pending: list[tuple[EcoreFile, EcoreNode, str, type, Callable[[Any], None]]] = []
         self._typed: list[Typed] = []
 
-    def read(self, paths: Iterable[Path]) -> list[Package]:
+    def read(self, paths: Iterable[Path], *, classifiers: bool = False) -> list[Package]:
         """The outermost packages of .ecore files and of those that they refer to; see `load_metamodels`.
 
         Raises:
@@ -112,6 +120,9 @@ class MetamodelReader:
                   if isinstance(value, (dict, list))]  # fmt: skip
         try:
             wanted = list(dict.fromkeys(self.files.load(path) for path in paths))
+            for file in wanted:
+                if not classifiers and any(node.tag != "EPackage" for node in file.roots):
+                    raise no_package(file.path, file.roots)
             self._refuse_two_of_one_namespace(wanted)
             for file in wanted:
                 self.build(file)
@@ -149,7 +160,16 @@ class MetamodelReader:
         if file in self._packages:
             return
         outermost = self._packages[file] = []
-        stack: list[tuple[EcoreNode, Package | None]] = [(node, None) for node in reversed(file.roots)]
+        packages = [node for node in file.roots if node.tag == "EPackage"]
+        if len(packages) < len(file.roots):
+            first = next(node for node in file.roots if node.tag != "EPackage")
+            around = Package(
+                "", self._place(file, first), "", "", "", file.path, None,
+                node=EcoreNode("EPackage", "", first.line, None), find=partial(self._referred, file),
+            )  # fmt: skip
+            around.classifiers += [self._classifier(file, node, around) for node in file.roots if node.tag != "EPackage"]
+            outermost.append(around)
+        stack: list[tuple[EcoreNode, Package | None]] = [(node, None) for node in reversed(packages)]
         while stack:
             node, parent = stack.pop()
             package = Package(

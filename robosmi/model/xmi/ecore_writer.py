@@ -83,10 +83,10 @@ class EcoreText:
         head += [("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance")] if with_xsi else []
         head.append(("xmlns:ecore", ecore.nsURI))
         self.add('<?xml version="1.0" encoding="UTF-8"?>\n')
-        packages = [as_package(package) for package in packages]
-        roots: list[Item] = [("ecore:EPackage", package, []) for package in packages]
+        packages = [package if isinstance(package, ecore.EClassifier) else as_package(package) for package in packages]
+        roots: list[Item] = [(f"ecore:{package.eClass.name}", package, []) for package in packages]
         if len(roots) == 1:
-            self.elements([("ecore:EPackage", packages[0], head)])
+            self.elements([(roots[0][0], packages[0], head)])
         else:
             self.open("xmi:XMI", head, 0)
             self.add(">\n" if roots else "/>\n")

@@ -1,4 +1,4 @@
-"""Parses one JSON file into elements, in the form that EMF-JSON gives to models (emfjson-jackson).
+"""Parses one JSON or YAML file into elements, in the form that EMF-JSON gives to models (emfjson-jackson).
 
 A root and an element of another class than the declared one name theirs (`"eClass": "http://lab/m#//Node"`); contained elements
 are nested; a reference is an object with `$ref`, a fragment or URI; `_id` is an xmi:id. Values are taken as XMI's texts are.
@@ -7,10 +7,12 @@ Elements are built as `xmi_parser` builds them, and references are left to `xmi_
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
 from robosmi.base.located_json import JsonError, LocatedJson, LocatedList, LocatedObject, located_json
+from robosmi.base.located_yaml import YamlError, located_yaml
 from robosmi.errors import did_you_mean
 from robosmi.model.ecore.xmi_document import Document, PackageOf, Problem, Unreadable
 from robosmi.model.elements import ecore
@@ -27,6 +29,7 @@ CLASS, LINK, ID = "eClass", "$ref", "_id"
 """The keys that are no features."""
 UUID = "uuid"
 """What pyecore's JSON calls an id."""
+_NAMED_CLASS = re.compile(rb'"eClass"\s*:\s*"')
 _SHAPE = "give a model in the form of EMF-JSON, whose roots name their class: " + '{"eClass": "NAMESPACE#//CLASS"}'
 
 
@@ -35,8 +38,18 @@ def is_json(path: Path) -> bool:
     return path.suffix.lower() == ".json"
 
 
+def is_yaml(path: Path) -> bool:
+    """Whether a file's model is YAML, by its name."""
+    return path.suffix.lower() in (".yaml", ".yml")
+
+
+def names_classes(head: bytes) -> bool:
+    """Whether a JSON text that begins so is a model: an object or a list in which an element names its class."""
+    return _NAMED_CLASS.search(head) is not None
+
+
 def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem) -> Document:
-    """Build the elements of one file.
+    """Build the elements of one file, in JSON or YAML by its name.
 
     Args:
         path: the file, for the document.
@@ -49,9 +62,11 @@ def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, pro
         Unreadable: it is no JSON, or a root is no element of a known metamodel.
     """
     try:
-        value = located_json(data)
+        value = located_yaml(data) if is_yaml(path) else located_json(data)
     except JsonError as error:
         raise Unreadable(f"not well-formed JSON: {error}", error.line, "correct the file") from None
+    except YamlError as error:
+        raise Unreadable(f"not YAML of the kind that models have: {error}", error.line, "correct the file") from None
     return _Parser(path, plans, package_of, problem).run(value)
 
 
@@ -73,7 +88,7 @@ class _Parser(Builder):
         for root in roots:
             if not isinstance(root, LocatedObject) or not isinstance(root.get(CLASS), str):
                 line = root.line if isinstance(root, (LocatedObject, LocatedList)) else 1
-                raise Unreadable("the JSON is no model: a root has no 'eClass'", line, _SHAPE)
+                raise Unreadable("the file is no model: a root has no 'eClass'", line, _SHAPE)
             plan = self.root(str(root[CLASS]), root.lines[CLASS])
             if plan is None:
                 continue
@@ -89,7 +104,9 @@ class _Parser(Builder):
         self.line = line
         namespace = uri.partition("#")[0]
         if namespace == ECORE_URI:
-            raise Unreadable(f"the root is a '{uri}': metamodels are not read from JSON", line, "save it as an .ecore file")
+            raise Unreadable(
+                f"the root is a '{uri}': metamodels are not read from JSON or YAML", line, "save it as an .ecore file"
+            )
         plan = self.class_of(uri)
         if plan is None:
             fix = "" if self.package_of(namespace) is None else _SHAPE

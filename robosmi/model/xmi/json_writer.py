@@ -46,9 +46,19 @@ def to_json(name: str, roots: Sequence[EObject], places: XmiLocations, indent: s
         ModelError: a reference leads to an element in none of the models, a value is not of its feature's type or too many, an
             id is used twice, the roots are a metamodel, or elements are nested deeper than JSON's readers take.
     """
+    return f"{''.join(_pieces(tree_of(name, roots, places), indent))}\n".encode()
+
+
+def tree_of(name: str, roots: Sequence[EObject], places: XmiLocations) -> Json:
+    """What the text of one file says, in the forms that share it; see `to_json`."""
     writer = _Writer(name, places)
     trees: list[Json] = [writer.tree(root) for root in roots]
-    return f"{''.join(_pieces(trees[0] if len(trees) == 1 else trees, indent))}\n".encode()
+    return trees[0] if len(trees) == 1 else trees
+
+
+def number_text(value: Json) -> str:
+    """A number, truth value or empty value, with the digits that its data type writes."""
+    return value.text if isinstance(value, _Number) else json.dumps(value)
 
 
 class _Writer(WrittenFile):
@@ -61,13 +71,13 @@ class _Writer(WrittenFile):
     def tree(self, root: EObject) -> dict[str, Json]:
         """An element with all that it contains, as JSON has it."""
         if is_of_ecore(root.eClass):
-            raise self.problem(root, None, "is an element of a metamodel, which is not written as JSON", _ELEMENT_OF_ECORE)
+            raise self.problem(root, None, "is of a metamodel, which is not written as JSON or YAML", _ELEMENT_OF_ECORE)
         whole: dict[str, Json] = {CLASS: self.class_uri(root.eClass)}
         stack: list[tuple[EObject, dict[str, Json], int]] = [(root, whole, 2)]
         while stack:
             element, made, level = stack.pop()
             if level > MOST_LEVELS:
-                said = f"is nested deeper than the {MOST_LEVELS} levels that readers of JSON take"
+                said = f"is nested deeper than the {MOST_LEVELS} levels that readers of JSON and YAML take"
                 raise self.problem(element, None, said, "save the model as XMI")
             stack += reversed(self.fill(element, made, level))
         self.layouts.close()
@@ -236,7 +246,7 @@ def _pieces(value: Json, indent: str) -> Iterator[str]:
         elif isinstance(one, str):
             yield _quoted(one)
         else:
-            yield one.text if isinstance(one, _Number) else json.dumps(one)
+            yield number_text(one)
 
 
 def _line(indent: str, level: int) -> str:

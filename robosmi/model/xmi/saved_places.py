@@ -16,19 +16,21 @@ from typing import TYPE_CHECKING
 from urllib.parse import unquote
 
 from robosmi import inputs
-from robosmi.errors import ModelError
+from robosmi.errors import ModelError, RobosmiError
 from robosmi.files.files import free_name, write_atomic
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.ecore.metamodels import Metamodels, built_in
 from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import own_resource_of
-from robosmi.model.xmi.json_parser import is_json
+from robosmi.model.xmi.json_parser import is_json, is_yaml
 from robosmi.model.xmi.json_writer import to_json
 from robosmi.model.xmi.preserved_layout import NotPreservedError, preserve_layout
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
 from robosmi.model.xmi.xmi_reader import read_alone
 from robosmi.model.xmi.xmi_writer import roots_in, text_with, to_xmi
 from robosmi.model.xmi.xml_comments import comments, comments_lost, qualified_names
+from robosmi.model.xmi.yaml_writer import to_yaml
 
 if TYPE_CHECKING:
     from robosmi.model.xmi.open_files import OpenFiles
@@ -64,6 +66,8 @@ def text_of(
     locations = XmiLocations(models, neighbour_finder(target, models), target.parent)
     if is_json(target):
         return to_json(target.name, models[target.name], locations)
+    if is_yaml(target):
+        return to_yaml(target.name, models[target.name], locations)
     places = metamodel_places(source or target, schema_locations, target)
     return to_xmi(models, [target.name], locations, schema_locations=places)[target.name]
 
@@ -103,8 +107,12 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     if original == text or hashlib.sha256(original).hexdigest() != digest or _is_nearly(original, text):
         return text
     known = Metamodels([*packages, *built_in().packages])
-    if is_json(source) or is_json(target):
-        return _in_its_json(text, source, original, known) if source.suffix == target.suffix else text
+    if is_json(source) and is_json(target):
+        return _in_its_json(text, source, original, known)
+    if is_yaml(source) and is_yaml(target):
+        return original if _says_the_same(text, source, original, known) else text
+    if any(is_json(path) or is_yaml(path) for path in (source, target)):
+        return text
     before = _as_written(source, original, known, target)
     if before is None or before == original:  # the file's layout is ours
         return text
@@ -122,14 +130,22 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
 
 def _in_its_json(text: bytes, source: Path, original: bytes, metamodels: Metamodels) -> bytes:
     """The new text of a model in JSON: the file's own bytes if it says the same, else with the file's indentation."""
-    document = read_alone(source, original, metamodels)
-    if document is not None:
-        with suppress(ModelError):
-            locations = XmiLocations({source.name: document.roots}, None, source.parent)
-            if to_json(source.name, document.roots, locations) == text:
-                return original
+    if _says_the_same(text, source, original, metamodels):
+        return original
     indented = _INDENTED.search(original)
     return _INDENTED.sub(lambda found: b"\n" + indented[1] * (len(found[1]) // 2), text) if indented is not None else text
+
+
+def _says_the_same(text: bytes, source: Path, original: bytes, metamodels: Metamodels) -> bool:
+    """Whether the model of a file in JSON or YAML is written as this text."""
+    document = read_alone(source, original, metamodels)
+    if document is None:
+        return False
+    with suppress(ModelError):
+        locations = XmiLocations({source.name: document.roots}, None, source.parent)
+        write = to_yaml if is_yaml(source) else to_json
+        return write(source.name, document.roots, locations) == text
+    return False
 
 
 def back_up_comments(target: Path, text: bytes) -> Path | None:
@@ -138,11 +154,22 @@ def back_up_comments(target: Path, text: bytes) -> Path | None:
     Returns:
         The copy, or None if nothing is lost.
     """
-    if is_json(target) or not target.is_file() or not comments_lost(old := inputs.read_bytes(target, inputs.MODEL), text):
+    if is_json(target) or not target.is_file():
+        return None
+    old = inputs.read_bytes(target, inputs.MODEL)
+    if not (_yaml_comments_lost(old, text) if is_yaml(target) else comments_lost(old, text)):
         return None
     copy = target.with_name(free_name(target.parent, f"{target.name}.orig"))
     write_atomic(copy, old)
     return copy
+
+
+_YAML_COMMENT = re.compile(rb"^[ \t]*#|[ \t]#", re.MULTILINE)
+
+
+def _yaml_comments_lost(old: bytes, new: bytes) -> bool:
+    """Whether a text in YAML may have comments that another lacks; a `#` in a value counts in both."""
+    return len(_YAML_COMMENT.findall(old)) > len(_YAML_COMMENT.findall(new))
 
 
 def _has_more(original: bytes, written: bytes) -> bool:
@@ -165,12 +192,15 @@ def _is_nearly(original: bytes, text: bytes) -> bool:
 def _as_written(path: Path, data: bytes, metamodels: Metamodels, target: Path) -> bytes | None:
     """What is written for the model in a text, whatever its layout; None if it cannot be read alone."""
     document = read_alone(path, data, metamodels)
-    if document is None:
+    try:
+        models: dict[str, list[EObject]] = {
+            target.name: list(document.roots if document is not None else Metamodel.packages_of(path, data))
+        }
+    except RobosmiError:
         return None
-    models: dict[str, list[EObject]] = {target.name: list(document.roots)}
     try:
         locations = XmiLocations(models, None, target.parent)
-        places = metamodel_places(path, document.schema_locations, target)
+        places = metamodel_places(path, document.schema_locations if document is not None else (), target)
         return text_with(target.name, models[target.name], locations, places)
     except ModelError:
         return None

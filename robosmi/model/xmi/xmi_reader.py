@@ -29,7 +29,7 @@ from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
-from robosmi.model.xmi.json_parser import is_json, parse_json
+from robosmi.model.xmi.json_parser import is_json, is_yaml, parse_json
 from robosmi.model.xmi.xmi_linker import XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 
@@ -260,7 +260,7 @@ class _Reader:
         return document
 
     def parsed(self, path: Path, data: bytes) -> Document:
-        """The document of a file's bytes, XMI or JSON by its name.
+        """The document of a file's bytes, XMI, JSON or YAML by its name.
 
         Raises:
             Unreadable, ForeignRoot: as `parse`.
@@ -275,7 +275,7 @@ class _Reader:
                 FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
             )
 
-        if is_json(path):
+        if is_json(path) or is_yaml(path):
             return parse_json(path, data, self.plans, self.package, problem)
         return parse(
             path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, None if self.strict else foreign
@@ -307,10 +307,12 @@ class _Reader:
 
     def ecore(self, path: Path, referrer: Location) -> Any:
         """The package of an .ecore file: the one that is known under its namespace, else a new one."""
+        from robosmi.model.ecore.ecore_classes import make_packages
+        from robosmi.model.ecore.ecore_loader import load_metamodels
         from robosmi.model.ecore.metamodel import Metamodel
 
         try:
-            loaded = Metamodel.load(path)
+            loaded = Metamodel(make_packages(load_metamodels([path], classifiers=True)))
         except RobosmiError as error:
             self._refused.add(path)
             self.give_up(error.location or referrer, error.message, error.fix or "")

@@ -84,7 +84,7 @@ class _Writer(WrittenFile):
 
     def write(self) -> bytes:
         """The bytes of the file."""
-        if self.roots and all(isinstance(root, ecore.EPackage) for root in self.roots):
+        if self.roots and all(isinstance(root, (ecore.EPackage, ecore.EClassifier)) for root in self.roots):
             from robosmi.model.xmi.ecore_writer import EcoreText  # few files are metamodels
 
             return EcoreText(self.metamodel_link, self.metamodel_text).write(self.roots)

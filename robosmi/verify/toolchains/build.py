@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -41,6 +42,7 @@ from robosmi.verify.toolchains.compile_report import (
     BADLY_NAMED,
     LITTLE_RAM,
     NO_BOARD_FILE,
+    OTHER_ARCHITECTURE,
     STAND_IN_USED,
     CompileReport,
     StackBound,
@@ -150,12 +152,23 @@ class Build(Struct):
                 Severity.info,
                 f"the library '{library.name}' is not installed; compiled with a stand-in",
                 place,
-                fix=f"install the library '{library.name}' before uploading",
+                fix=f"install it before uploading: robosmi libraries install {shlex.quote(library.name)}",
                 evidence={"library": library.name, "compatible_with": library.version},
             )
             for library in libraries
             if library.source == STAND_IN
             and not library.folder.is_relative_to(self.recipes.core)  # else the core is said to be one
+        ]
+        findings += [
+            Finding(
+                OTHER_ARCHITECTURE,
+                Severity.warning,
+                f"the library '{library.name}' is for {', '.join(library.others)}, not {self.toolchain.architecture}",
+                place,
+                fix="try it on the board, or use a library that lists the board's architecture",
+            )
+            for library in libraries
+            if library.others
         ]
         if not self.sketch.well_named:
             name = self.sketch.folder.resolve().name + self.sketch.main.suffix

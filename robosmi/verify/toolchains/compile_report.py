@@ -26,6 +26,7 @@ OTHER_BOARD = "RS809"
 OTHER_FACTS = "RS810"
 NO_BOARD_DATA = "RS811"
 NO_BOARD_FILE = "RS812"
+OTHER_ARCHITECTURE = "RS813"
 
 RULES = {
     COMPILER_ERROR: "the compiler reports an error",
@@ -40,6 +41,7 @@ RULES = {
     OTHER_FACTS: "the board's file and the compiler's core contradict each other",
     NO_BOARD_DATA: "the board is one of an installed core and has no data here: only what the core says is checked",
     NO_BOARD_FILE: "the tool of the core that makes the file for the board is not installed",
+    OTHER_ARCHITECTURE: "an installed library does not list the board's architecture",
 }
 """Every rule of the compile check: id -> meaning."""
 

@@ -1,5 +1,7 @@
 """Which libraries a sketch needs, and where they are: installed ones first, stand-ins of the repository after them.
 
+An installed library that does not list the board's architecture comes last, as Arduino's builder has it.
+
 The preprocessor itself names the headers it cannot find, so conditions and macros count and comments do not. For each such
 header a library that offers it is added, until no header is missing or nothing offers it. Compiling is done by `build`.
 """
@@ -31,6 +33,7 @@ class CompiledLibrary(NamedTuple):
         include: the folder that headers are found in.
         deep: whether sources count at any depth of `include`.
         flat: without `deep`, the sub-folders of `include` whose sources count, too.
+        others: the architectures that it lists, if that of the board is not among them.
     """
 
     name: str
@@ -40,6 +43,7 @@ class CompiledLibrary(NamedTuple):
     include: Path
     deep: bool
     flat: tuple[str, ...]
+    others: tuple[str, ...] = ()
 
     def own_includes(self) -> list[Path]:
         """The folders that its own sources find headers in, `include` first."""
@@ -83,9 +87,8 @@ class LibraryFolders:
 
     @cached_property
     def installed(self) -> list[CompiledLibrary]:
-        """The installed libraries for this architecture, in search order."""
-        found = (path for folder in self.folders for path in sorted(folder.iterdir()) if path.is_dir())
-        return [library for path in found if (library := self._installed(path))]
+        """The installed libraries, in search order."""
+        return [self._installed(path) for folder in self.folders for path in sorted(folder.iterdir()) if path.is_dir()]
 
     @cached_property
     def stand_ins(self) -> list[tuple[CompiledLibrary, tuple[str, ...]]]:
@@ -97,22 +100,22 @@ class LibraryFolders:
 
     def find(self, header: str) -> CompiledLibrary | None:
         """The library that offers a header, e.g. `Servo.h`, or None. One that bears the header's name goes first."""
-        offers = [library for library in self.installed if (library.include / header).is_file()]
-        offers = offers or [library for library, headers in self.stand_ins if header in headers]
+        installed = [library for library in self.installed if (library.include / header).is_file()]
+        offers = [library for library in installed if not library.others]
+        offers = offers or [library for library, headers in self.stand_ins if header in headers] or installed
         stem = Path(header).stem
         return min(offers, key=lambda library: stem not in (library.name, library.folder.name), default=None)
 
-    def _installed(self, folder: Path) -> CompiledLibrary | None:
+    def _installed(self, folder: Path) -> CompiledLibrary:
         data = self._toolchain.libraries
-        properties = _properties(folder / data.text("properties"))
-        known = [word.strip() for word in (properties.get("architectures") or "*").split(",")]
-        if "*" not in known and self._toolchain.architecture not in known:
-            return None
+        properties = properties_of(folder / data.text("properties"))
+        known = tuple(word.strip() for word in (properties.get("architectures") or "*").split(","))
+        others = () if {"*", self._toolchain.architecture} & {*known} else known
         inner = folder / data.text("recursive")
         deep = bool(properties) and inner.is_dir()
         name, version = properties.get("name") or folder.name, properties.get("version", "")
         source = STAND_IN if self._stand_in_core and folder.is_relative_to(self._core) else INSTALLED
-        return CompiledLibrary(name, version, source, folder, inner if deep else folder, deep, data.texts("flat", ()))
+        return CompiledLibrary(name, version, source, folder, inner if deep else folder, deep, data.texts("flat", ()), others)
 
     @staticmethod
     def _stand_in(table: DataTable) -> tuple[CompiledLibrary, tuple[str, ...]]:
@@ -125,12 +128,14 @@ class LibraryFolders:
         return library, headers
 
 
-def _properties(path: Path) -> dict[str, str]:
+def properties_of(path: Path) -> dict[str, str]:
     """The `key=value` lines of a library's description; empty if there is none."""
-    if not path.is_file():
-        return {}
-    lines = inputs.read_text(path, inputs.SETTINGS, errors="replace").splitlines()
-    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in lines) if sep}
+    return properties_in(inputs.read_text(path, inputs.SETTINGS, errors="replace")) if path.is_file() else {}
+
+
+def properties_in(text: str) -> dict[str, str]:
+    """The `key=value` lines of a text."""
+    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in text.splitlines()) if sep}
 
 
 def resolve(

@@ -34,7 +34,8 @@ def with_prototypes(text: str) -> str:
     lacking: dict[str, str] = {}
     for one in found:
         used = re.search(rf"\b{one.name}\b", plain[: one.start])
-        declared = re.search(rf"\b{one.name}\s*\([^;{{}}]*\)\s*;", outside[: one.start])
+        # a type stands in front of a declared name, and `=` in front of a call that gives a variable its first value
+        declared = re.search(rf"(?:\A|[;{{}}])\s*[\w:][\w:<>,*&\s]*[*&\s]{one.name}\s*\([^;{{}}]*\)\s*;", outside[: one.start])
         if used is not None and declared is None:
             lacking.setdefault(one.name, f"{' '.join(one.head.split())}; ")
     if not lacking:

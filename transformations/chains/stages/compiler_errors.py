@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
@@ -10,6 +11,8 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.model.elements.ordering import post_order
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
+from robosmi.transformations.knowledge.platforms.target_platform import chip_macros
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
@@ -29,7 +32,7 @@ _MOST_MEMBERS = 100_000
 No microcontroller has the memory for such a variable.
 """
 _MOST = 10
-"""Limit on the reported lines."""
+"""Limit on the reported lines of a program that changes its platform; of any other one, each line is a task."""
 _TOLD_BEFORE = frozenset({"RS101", "RS312"})
 
 
@@ -54,9 +57,24 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
     return GeneratedProgram(
         made, header, str(target_of(plan).language), pins=pins, vast=vast,
         int_bits=machine.int_bits, char_signed=machine.char_signed,
-        api=ApiIndex.load(str(plan.target.name)).virtual_headers() if kept and plan.target is not None else None,
+        api=_headers(plan) if kept else None,
         tabs=_tabs(plan) if kept else (), defines=_board_macros(plan) if kept else (),
     )  # fmt: skip
+
+
+def _headers(plan: migration.MigrationPlan) -> Mapping[str, bytes] | None:
+    """The headers of the platform, with the methods that only the cores of boards such as the target have."""
+    chip = plan.board.microcontroller if plan.board is not None else None
+    if plan.target is None:
+        return None
+    headers = dict(ApiIndex.load(str(plan.target.name)).virtual_headers())
+    facts = portability_facts(str(plan.target.name))
+    methods = facts.move_to(str(chip.name), str(chip.architecture)).methods if facts is not None and chip is not None else {}
+    for name, declared in methods.items():
+        head = re.compile(rb"((?:struct|class)\s+%s\b[^;{]*\{)" % name.encode())
+        text = rb"\1 public: " + declared.encode()
+        headers = {header: head.sub(text, data) for header, data in headers.items()}
+    return headers
 
 
 def _tabs(plan: migration.MigrationPlan) -> list[str]:
@@ -71,7 +89,8 @@ def _board_macros(plan: migration.MigrationPlan) -> list[str]:
     chip = plan.board.microcontroller if plan.board is not None else None
     mappings = plan.target.boardMappings if plan.target is not None else ()
     boards = [f"ARDUINO_{mapping.define}" for mapping in mappings if mapping.board is plan.board and mapping.define]
-    return [*boards, *([f"ARDUINO_ARCH_{str(chip.architecture).upper()}"] if chip is not None else []), "ARDUINO=10819"]
+    own = [f"ARDUINO_ARCH_{str(chip.architecture).upper()}", *chip_macros(chip)] if chip is not None else []
+    return [*boards, *own, "ARDUINO=10819"]
 
 
 def compiler_errors(
@@ -96,7 +115,7 @@ def compiler_errors(
             message = f"line {each.line} of {each.file}: {each.message}"
             fix = "write it in C++ in the sketch, or otherwise in the source"
             found.append(Finding(RULE, Severity.warning, message, at, fix=fix))
-    if len(found) > _MOST:
+    if len(found) > _MOST and not retains_platform(plan):
         first = found[_MOST - 1]
         more = f"{first.message}; and {len(found) - _MOST} more lines"
         found = [*(f for number, f in enumerate(found) if number < _MOST - 1)]

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
 
 from robosmi.base.quantities import quantity
@@ -17,10 +17,10 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
-from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
+from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
-from robosmi.transformations.m2m.ports.port_registers import RULE as OF_REGISTER
+from robosmi.transformations.m2m.ports.port_registers import RULE as BY_REGISTER
 from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
@@ -32,8 +32,8 @@ from robosmi.transformations.t2m.c_source.parsing.generated_program import Gener
 LOOK_UPS = frozenset({"port", "ports", "port_of_channel"})
 """The helpers by which a finished program looks up the pin of a port."""
 _TOKENS = re.compile(r"[A-Za-z_]\w*|\d\w*")
+_ARGUMENT = re.compile(r"\((\w+)")
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-_FIRST_ARGUMENT = re.compile(r"\b([A-Za-z_]\w*)\((\w+)")
 _FIX = "compare the line with the source, and write the pin of the wiring table there"
 
 Place = Callable[[str, int], Location | None]
@@ -107,7 +107,8 @@ def pin_names(plan: migration.MigrationPlan) -> PinNames:
 def _kept_names(plan: migration.MigrationPlan) -> PinNames:
     """What counts as a pin in a program whose platform stays: the functions and classes of the platform take pins themselves."""
     assert plan.source is not None
-    api = ApiIndex.of(plan.source)
+    # The rules write calls that the program did not have, so what the plan stores of the platform is not enough.
+    api = ApiIndex.load(str(plan.source.name)).on_board(board_pins(plan.source.boardMappings))
     own = {str(d.name) for unit in (plan.program.units if plan.program is not None else ()) for d in unit.declarations}
     functions: dict[str, list[PinPlace]] = {}
     for function, header in api.functions_with_pins():
@@ -116,10 +117,18 @@ def _kept_names(plan: migration.MigrationPlan) -> PinNames:
         if pins:
             functions[function] = [PinPlace(p.position, p.range_with is not None or p.span != 1, p.none) for p in pins]
     functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}
-    words = Counter(_word(c) for b in plan.portBindings if b.pin is not None for c in b.changes if c.rule in MOVES)
-    for change in (c for b in plan.portBindings for c in b.changes if c.rule == OF_REGISTER):
-        words.update(pin for name, pin in _FIRST_ARGUMENT.findall(str(change.replacement)) if name in functions)
+    bound = {pin_literal(b.pin) for b in plan.portBindings if b.pin is not None}
+    words = Counter(
+        word for b in plan.portBindings if b.pin is not None for change in b.changes for word in _pins_written(change, bound)
+    )
     return PinNames(functions, LOOK_UPS, {}, words, int(UNBOUND), frozenset(api.pin_constants))
+
+
+def _pins_written(change: migration.TextChange, bound: Collection[str]) -> list[str]:
+    """The words of a change that are pins: its last, or, of a statement about a register, arguments of the calls in its place."""
+    if change.rule == BY_REGISTER:
+        return [word for word in _ARGUMENT.findall(change.replacement) if word in bound]
+    return [_word(change)] if change.rule in MOVES else []
 
 
 def _calls_of_flows(plan: migration.MigrationPlan) -> list[ccode.Call]:

@@ -15,6 +15,7 @@ from robosmi import inputs
 from robosmi.base.data_text import Json, as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
+from robosmi.model.xmi.json_parser import is_json, names_classes
 from robosmi.plugin_contracts import ContentFunction, ContentKind
 from robosmi.plugins import content, registry
 from robosmi.project import defaults, defaults_place
@@ -59,9 +60,12 @@ def reader_for(path: Path, kind: ContentKind, fallback: str | None = None) -> Co
 
 
 def is_drawing(path: Path) -> bool:
-    """Whether a file is a drawing: by its ending, or, if the ending is not a model's either, by its content."""
+    """Whether a file is a drawing: by its ending, or, if the ending is not a model's either, by its content.
+
+    A file with a drawing's ending that names the classes of its elements, as models in JSON do, is a model.
+    """
     if _by_ending(path, DRAWING):
-        return True
+        return not (is_json(path) and names_classes(_head(path)))
     return path.suffix.lower() not in registry().names("driver") and bool(_recognised(path, []))
 
 
@@ -90,12 +94,19 @@ def _listed(names: Json) -> list[str]:
 
 def _recognised(path: Path, first: list[str]) -> list[str]:
     """The drawing readers that recognise a file's content, the preferred ones first; empty if the file cannot be read."""
-    try:
-        head = inputs.read_bytes(path, inputs.DRAWING)[:HEAD]  # whole, so that its reader need not open it again
-    except (OSError, ValueError):
+    head = _head(path)
+    if not head:
         return []
     others = [name for name in registry().names(DRAWING) if name not in first]
     return _recognising(first, head) or _recognising(others, head)  # the others' modules are loaded only if they are needed
+
+
+def _head(path: Path) -> bytes:
+    """The first bytes of a file; none if it cannot be read."""
+    try:
+        return inputs.read_bytes(path, inputs.DRAWING)[:HEAD]  # whole, so that its reader need not open it again
+    except (OSError, ValueError):
+        return b""
 
 
 def _recognising(names: list[str], head: bytes) -> list[str]:

@@ -58,6 +58,11 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
         eeprom_bytes: size of the EEPROM of the source boards, where flash takes its place.
         console_wait_ms: how long a sketch may wait for its console, where that is USB.
         clashes: names that a program may not declare at file scope.
+        variable_clashes: names that no variable at file scope may have there; a function of that name is an overload.
+        absent: names of the platform, with * for any letters, that the board's core does not declare.
+        methods: class of the platform -> the declarations of methods that it has there, and not on the source boards.
+        writes_bytes: objects whose write() takes a byte or a text there, and an int, too, on the source boards.
+        needs_return: whether the board's tools refuse a function that may end without its value.
         calls: function or macro of avr-libc -> the one that does the same there with the same arguments.
         includes: header of avr-libc -> the one that takes its place there; empty if all that it has is replaced.
         watchdog: the functions that start the watchdog, by milliseconds, and that feed it.
@@ -76,6 +81,11 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
     eeprom_bytes: int = 0
     console_wait_ms: int = 0
     clashes: tuple[str, ...] = ()
+    variable_clashes: tuple[str, ...] = ()
+    absent: tuple[str, ...] = ()
+    methods: Mapping[str, str] = {}
+    writes_bytes: tuple[str, ...] = ()
+    needs_return: bool = False
     calls: Mapping[str, str] = {}
     includes: Mapping[str, str] = {}
     watchdog: tuple[str, str] | None = None

@@ -369,6 +369,11 @@ def _toolchain(name: str, named_in: DataTable, project: Path | None) -> platform
     raise named_in.error("toolchain", f"is '{name}', which is none of: {', '.join(sorted(known))}{did_you_mean(name, known)}")
 
 
+def chip_macros(chip: platform.Microcontroller) -> list[str]:
+    """The macros by which programs ask for a microcontroller: those that avr-gcc defines for `-mmcu`; of others, none."""
+    return [f"__AVR_{chip.title}__"] if str(chip.architecture) == "avr" else []
+
+
 def target_repository(
     facts: TargetFacts,
     source: platform.Platform,

@@ -21,12 +21,13 @@ Named = ccode.Function | ccode.Variable
 def clashing_names(sketch: MovedSketch) -> Iterator[SketchEdit]:
     """The edits of each unit: at the declarations, the uses, and in the bodies of macros."""
     clashes = frozenset(sketch.facts.clashes)
+    of_variables = clashes | frozenset(sketch.facts.variable_clashes)
     found: dict[str, list[Named]] = {}
     for view in sketch.views:
         for declared in view.unit.declarations:
             if (
                 isinstance(declared, (ccode.Function, ccode.Variable))
-                and declared.name in clashes
+                and declared.name in (of_variables if isinstance(declared, ccode.Variable) else clashes)
                 and "::" not in _head(declared)
             ):
                 found.setdefault(str(declared.name), []).append(declared)

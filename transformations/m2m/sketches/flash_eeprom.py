@@ -15,7 +15,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.source_text import SourceText
 
 KIND = "eeprom"
-_OBJECT = "EEPROM"
+_OBJECT, _HEADER = "EEPROM", "EEPROM.h"
 _WRITES = frozenset(["write", "update", "put"])
 _BEGINS = frozenset(["begin", "commit"])
 
@@ -35,6 +35,8 @@ def flash_eeprom(sketch: MovedSketch) -> Iterator[SketchEdit]:
         setup, "eeprom-begin", "the data is kept in flash, and read from there first",
         (inserted(offset, f" {_OBJECT}.begin({size});"),),
     )  # fmt: skip
+    if _HEADER not in view.includes:
+        yield SketchEdit(view.unit, "eeprom-begin", f"setup begins {_OBJECT}", (inserted(0, f"#include <{_HEADER}>\n"),))
     done: set[tuple[int, int]] = set()
     for view in sketch.views:
         mine = [ref for own, ref in uses if own is view]
@@ -47,7 +49,7 @@ def flash_eeprom(sketch: MovedSketch) -> Iterator[SketchEdit]:
                 reason = "what is written gets to the flash by it"
                 yield SketchEdit(statement, "eeprom-commit", reason, (inserted(end, f" {_OBJECT}.commit();"),))
         if len(ends) == sum(map(_writes, mine)):
-            lines = {int(ref.line) for ref in mine} | {int(i.line) for i in view.unit.includes if str(i.header) == "EEPROM.h"}
+            lines = {int(ref.line) for ref in mine} | {int(i.line) for i in view.unit.includes if str(i.header) == _HEADER}
             cured = tuple(sorted(lines & sketch.lines(KIND, view)))
             yield SketchEdit(view.unit, "eeprom-commit", "its data is begun and committed", (), KIND, cured)
 

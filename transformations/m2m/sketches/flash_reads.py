@@ -1,7 +1,7 @@
-"""Reads of words from flash, where the board has one address space: a pointer has more bits there, and a word has no sign.
+"""Reads of the program memory: `pgm_read_word` of a pointer becomes `pgm_read_ptr`, since a pointer has another width there.
 
-`pgm_read_word` of a place with a pointer reads the whole pointer; of a place with an int it keeps the sign where an int takes the
-result. Other reads of words give the same number. Source: the manual of avr-libc 2.0, avr/pgmspace.h.
+The element of an array of numbers is read as on AVR: its low bytes come first on the target, too. What takes the word keeps its
+width by the rules for numbers.
 """
 
 from __future__ import annotations
@@ -11,60 +11,57 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
-from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import of_use, type_of
+from robosmi.transformations.queries.expression_type import ValueType, element_type, type_of
 
 KIND = "progmem"
-_WORD, _POINTER = ("pgm_read_word", "pgm_read_word_near"), "pgm_read_ptr"
+_RULE = "flash-read"
+_WORDS = frozenset(["pgm_read_word", "pgm_read_word_near"])
+_NUMBERS = frozenset(["int", "unsigned", "unsigned int", "word", "int16_t", "uint16_t"])
+_SIGNED = frozenset(["int", "int16_t"])
+_POINTER = "pgm_read_ptr"
 
 
 def flash_reads(sketch: MovedSketch) -> Iterator[SketchEdit]:
-    """The edits."""
-    here, there = sketch.move.source, sketch.move.target
-    if here.int_bits >= there.int_bits:
+    """The edits of reads of pointers, and those without changes for reads of numbers."""
+    if sketch.move.source.architecture == sketch.move.target.architecture:
         return
     for view in sketch.views:
-        lines = sketch.lines(KIND, view)
-        for call in view.of_kind(ccode.Call):
-            name, start = str(call.calleeName), int(call.startOffset)
-            if name not in _WORD or len(call.arguments) != 1 or int(call.line) not in lines:
+        lines, data = sketch.lines(KIND, view), sketch.sources[str(view.unit.path)]
+        reads = [call for call in view.of_kind(ccode.Call) if call.calleeName in _WORDS and int(call.line) in lines]
+        done: dict[int, bool] = {}
+        for call in reads:
+            kind, start, name = _read(call), int(call.startOffset), str(call.calleeName)
+            line = int(call.line)
+            done[line] = done.get(line, True)
+            cast = call.eContainer()
+            if kind is not None and not kind.depth and kind.base in _NUMBERS:
+                if (
+                    kind.base in _SIGNED
+                    and isinstance(cast, ccode.Cast)
+                    and cast.target is not None
+                    and cast.target.spelling == "int"
+                ):
+                    sign = inserted(start, f"(int{sketch.move.source.int_bits}_t)")
+                    yield SketchEdit(call, _RULE, "the number keeps its sign", (sign,))
                 continue
-            if not sketch.sources[str(view.unit.path)].startswith(name.encode(), start):
+            written = data[start : start + len(name)].decode("utf-8", "replace") == name
+            to_pointer = isinstance(cast, ccode.Cast) and cast.target is not None and "*" in str(cast.target.spelling)
+            if kind is None or kind.depth != 1 or kind.dimensions or not to_pointer or not written:
+                done[line] = False
                 continue
-            kind = type_of(call.arguments[0], {})
-            if kind is None:
-                continue
-            if kind.depth > 1:
-                changed, reason = Replacement(start, start + len(name), _POINTER), "a pointer has more than 16 bits there"
-            elif kind.base == "int" and _is_taken_as_int(call):
-                changed, reason = inserted(start, f"(int{here.int_bits}_t)"), "the number keeps its sign"
-            else:
-                continue
-            yield SketchEdit(call, "flash-read", reason, (changed,), KIND, (int(call.line),))
-        if lines and (plain := _plain(view, lines)):
-            yield SketchEdit(view.unit, "flash-read", "the same number is read there", (), KIND, plain)
+            change = Replacement(start, start + len(name), _POINTER)
+            yield SketchEdit(call, _RULE, "a pointer is wider there than the word that is read", (change,))
+        if cured := tuple(line for line, whole in done.items() if whole):
+            yield SketchEdit(view.unit, _RULE, "what is read has the same value there", (), KIND, cured)
 
 
-def _plain(view: CodeView, lines: frozenset[int]) -> tuple[int, ...]:
-    """The lines all of whose reads of words are of numbers without a sign."""
-    reads: dict[int, list[bool]] = {}
-    for call in view.of_kind(ccode.Call):
-        if call.calleeName in _WORD and int(call.line) in lines and len(call.arguments) == 1:
-            kind = type_of(call.arguments[0], {})
-            same = kind is not None and kind.depth == 1 and kind.base in ("unsigned int", "uint16_t", "unsigned", "word")
-            reads.setdefault(int(call.line), []).append(same)
-    return tuple(sorted(line for line, same in reads.items() if all(same)))
-
-
-def _is_taken_as_int(call: ccode.Call) -> bool:
-    """Whether an int, and nothing wider, takes the result of a call."""
-    outer = call.eContainer()
-    if isinstance(outer, ccode.Cast):
-        kind = of_use(outer.target)
-    elif isinstance(outer, ccode.Variable):
-        kind = of_use(outer.valueType)
-    elif isinstance(outer, ccode.Assignment) and outer.right is call and outer.operator == "=":
-        kind = type_of(outer.left, {})
-    else:
-        return False
-    return kind is not None and kind.depth == 0 and kind.base in ("int", "short", "int16_t")
+def _read(call: ccode.Call) -> ValueType | None:
+    """The type of what a call reads; None where the model does not say it."""
+    given = call.arguments[0] if call.arguments else None
+    while isinstance(given, ccode.Cast):
+        given = given.operand
+    if isinstance(given, ccode.Unary) and given.operator == "&":
+        return type_of(given.operand, {})
+    if isinstance(given, ccode.Binary):  # an element of an array: its name, and how far behind its begin
+        given = given.left
+    return element_type(type_of(given, {}))

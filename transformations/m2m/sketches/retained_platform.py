@@ -7,7 +7,7 @@ by `queries.portability`; the rules of `sketch_rules` change it, and what none o
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.platforms.platform_model import platform_part
+from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.m2m.partition.dispositions import STEP, Disposition, decide, retain, rewrite
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
@@ -24,6 +25,7 @@ from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS, PortabilityPlace
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import words_of
+from robosmi.transformations.queries.text_changes import all_changes
 
 
 def retain_platform(sketch: MovedSketch, trace: Trace) -> tuple[Dependence, list[PortabilityPlace]]:
@@ -138,16 +140,32 @@ def _left(sketch: MovedSketch, edits: Sequence[SketchEdit]) -> Iterator[Portabil
     }
     for place in sketch.places:
         same = place.kind in sketch.facts.same and not any(fnmatchcase(place.name, but) for but in sketch.facts.same_but)
-        if not same and (place.kind, place.path, place.line) not in cured:
+        of_register = bool(sketch.kinds[place.kind].registers) if place.kind in sketch.kinds else False
+        if not same and (of_register or (place.kind, place.path, place.line) not in cured):
             yield place
 
 
 def place_findings(
-    places: Iterable[PortabilityPlace], plan: migration.MigrationPlan, sources: Mapping[str, bytes]
+    places: Sequence[PortabilityPlace], plan: migration.MigrationPlan, sources: Mapping[str, bytes]
 ) -> list[Finding]:
-    """The findings about places that nothing cures: no edit, and no pin of the plan that is written there."""
-    changes = [c for b in plan.portBindings if b.pin is not None for c in b.changes if c.unit is not None]
-    bound = {(str(c.unit.path), sources[str(c.unit.path)].count(b"\n", 0, c.startOffset) + 1) for c in changes if c.unit}
+    """The findings about places that nothing cures: no edit, and no pin of the plan that is written there.
+
+    A line may use several registers. It is cured if no name of one is left in it.
+    """
+    facts = portability_facts(str(plan.source.name)) if plan.source is not None else None
+    registers = {
+        kind: frozenset(facts.registers.get(told.registers, ()))
+        for kind, told in (facts.kinds.items() if facts is not None else ())
+        if told.registers
+    }
+    left = _unchanged_lines(plan, sources) if any(place.kind in (*registers, OF_NAMES) for place in places) else {}
+    bound = {
+        (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)
+        for binding in plan.portBindings
+        if binding.pin is not None
+        for change in binding.changes
+        if change.unit is not None
+    }
     moved = {
         (str(unit.path), int(call.line))
         for flow in plan.portFlows
@@ -155,42 +173,47 @@ def place_findings(
         for call in flow.calls
         if (unit := ancestor_of_kind(call, ccode.SourceUnit)) is not None
     }
-    return [
-        Finding(
-            DIFFERS, Severity.warning, f"{place.kind}: {place.what}", Location(place.path, place.line),
-            fix=f"write what it means there: {_text(sources, place.path, place.line)}",
-        )
-        for place in places
-        if place.kind not in OF_PINS or (place.path, place.line) not in (moved if place.kind == BY_CALL else bound)
-        if place.kind not in OF_REGISTERS or not _changed_whole(place, changes, sources)
-    ]  # fmt: skip
+    found = []
+    for place in places:
+        at, what = (place.path, place.line), place.what
+        if place.kind in registers:
+            names = [word for word in _WORD.findall(left.get(at, "")) if word in registers[place.kind]]
+            what = what.replace(place.name, names[0]) if names else ""
+        elif place.kind == OF_NAMES and place.name not in _WORD.findall(left.get(at, place.name)):
+            continue  # a change for pins has replaced it
+        elif place.kind in OF_PINS and at in (moved if place.kind == BY_CALL else bound):
+            continue
+        if what:
+            fix = f"write what it means there: {_text(sources, *at)}"
+            found.append(Finding(DIFFERS, Severity.warning, f"{place.kind}: {what}", Location(*at), fix=fix))
+    return found
 
 
-def _changed_whole(place: PortabilityPlace, changes: Iterable[migration.TextChange], sources: Mapping[str, bytes]) -> bool:
-    """Whether changes for pins contain each register, or name of the place's kind, that stands in its line."""
-    data = sources[place.path]
-    start = 0
-    for _ in range(place.line - 1):
-        start = data.find(b"\n", start) + 1
-    end = data.find(b"\n", start)
-    line = _COMMENT.sub(lambda found: b" " * len(found[0]), data[start : end if end >= 0 else len(data)])
-    names = [start + found.start() for found in _WORD.finditer(line) if _is_of(found[0].decode(), place)]
-    spans = [(c.startOffset, c.endOffset) for c in changes if c.unit is not None and str(c.unit.path) == place.path]
-    return bool(names) and all(any(begun <= at < ended for begun, ended in spans) for at in names)
+def _unchanged_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[tuple[str, int], str]:
+    """Path and number of each line -> what no change of the plan replaces there, without comments."""
+    texts = {path: bytearray(data) for path, data in sources.items()}
+    for change in all_changes(plan):
+        text = texts.get(str(change.unit.path)) if change.unit is not None else None
+        if text is not None:
+            gone = text[change.startOffset : change.endOffset]
+            text[change.startOffset : change.endOffset] = re.sub(rb"[^\n]", b" ", gone)
+    return {
+        (path, number): line
+        for path, text in texts.items()
+        for number, line in enumerate(_COMMENT.sub(_blank, text.decode("utf-8", "replace")).split("\n"), 1)
+    }
 
 
-def _is_of(word: str, place: PortabilityPlace) -> bool:
-    return word == place.name or (place.kind == PORT and _REGISTER.fullmatch(word) is not None)
+def _blank(comment: re.Match[str]) -> str:
+    return "\n" * comment[0].count("\n")
 
 
-_COMMENT = re.compile(rb"//.*|/\*.*?\*/")
-_WORD = re.compile(rb"[A-Za-z_]\w*")
-_REGISTER = re.compile("(PORT|PIN|DDR)[A-L]")
-PORT = "port_register"
-OF_REGISTERS = frozenset([PORT, "adc_register", "other_register", "avr_libc_call"])
-"""Kinds of places that are cured where a change for pins replaces the expression that they stand in."""
+_WORD = re.compile(r"\w+")
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
+OF_NAMES = "avr_libc_call"
+"""The kind of places that are names of avr-libc; some take a register."""
 BY_CALL = "attach_interrupt_number"
 OF_PINS = frozenset(
     {

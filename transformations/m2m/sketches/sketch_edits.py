@@ -46,9 +46,13 @@ class MovedSketch(Struct, frozen=True):
 
     def place(self, kind: str, element: ccode.Located, name: str) -> PortabilityPlace:
         """A place that a rule has found and cannot change."""
-        told, unit = self.kinds[kind], ancestor_of_kind(element, ccode.SourceUnit)
-        text = told.what.format(name=name, target=self.move.target.title)
-        return PortabilityPlace(kind, str(unit.path) if unit is not None else "", int(element.line), text, told.cure, name)
+        unit = ancestor_of_kind(element, ccode.SourceUnit)
+        return self.place_at(kind, str(unit.path) if unit is not None else "", int(element.line), name)
+
+    def place_at(self, kind: str, path: str, line: int, name: str) -> PortabilityPlace:
+        """The same by its line."""
+        told = self.kinds[kind]
+        return PortabilityPlace(kind, path, line, told.what.format(name=name, target=self.move.target.title), told.cure, name)
 
 
 class SketchEdit(Struct, frozen=True):

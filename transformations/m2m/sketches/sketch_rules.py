@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from robosmi.transformations.m2m.sketches.absent_names import absent_names
 from robosmi.transformations.m2m.sketches.analogue import analogue
 from robosmi.transformations.m2m.sketches.avr_calls import avr_calls
 from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
@@ -9,6 +10,7 @@ from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
 from robosmi.transformations.m2m.sketches.flash_reads import flash_reads
 from robosmi.transformations.m2m.sketches.foreign_libraries import foreign_libraries
 from robosmi.transformations.m2m.sketches.int_widths import char_signs, int_widths
+from robosmi.transformations.m2m.sketches.missing_returns import missing_returns
 from robosmi.transformations.m2m.sketches.object_bytes import object_bytes
 from robosmi.transformations.m2m.sketches.register_idioms import register_idioms
 from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
@@ -16,9 +18,10 @@ from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
 from robosmi.transformations.m2m.sketches.sleep_modes import sleep_modes
 from robosmi.transformations.m2m.sketches.timer_ticks import timer_ticks
 from robosmi.transformations.m2m.sketches.usb_console import usb_console
+from robosmi.transformations.m2m.sketches.zero_bytes import zero_bytes
 
 RULES: tuple[SketchRule, ...] = (
     clashing_names, timer_ticks, register_idioms, sleep_modes, avr_calls, object_bytes, int_widths, char_signs, servo_limits,
-    flash_eeprom, flash_reads, usb_console, analogue, foreign_libraries,
+    flash_eeprom, flash_reads, usb_console, analogue, missing_returns, zero_bytes, foreign_libraries, absent_names,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

@@ -121,16 +121,20 @@ def port_statements(views: Sequence[CodeView]) -> list[PortStatement]:
         if use.read >> number & 1 or (use.bits and use.bits[number].what not in (SAME, *((ZERO, EQUAL) if use.plain else ())))
     }
     found = []
-    for use in uses:
+    left: list[ccode.Expression] = []  # what stays as it is, with what it reads
+    for use in sorted(uses, key=lambda each: bool(each.read)):
         steps = _read(use, modes) if use.read else _write(use, modes, known | modes.outputs)
         placed = [
             PinStep(bit, number, what, value)
             for bit, what, value in steps or ()
             if (number := pins.get(f"P{use.port}{bit}")) is not None
         ]
-        if placed:
+        if not placed:
+            left.append(use.element)
+        elif not (use.read and any(outer is use.element for each in left for outer in all_contents(each))):
             found.append(PortStatement(use.view, use.element, tuple(placed), use.register + use.port))
-    return found
+    order = {id(view): number for number, view in enumerate(views)}
+    return sorted(found, key=lambda each: (order[id(each.view)], int(each.element.startOffset)))
 
 
 def register_of(reference: ccode.NameReference, view: CodeView) -> str:
@@ -177,7 +181,7 @@ def _use(view: CodeView, reference: ccode.NameReference) -> _Use | None:
         if done in READS:
             return _Use(view, outer, register, port, read=1 << number, done=done)
         return _called(view, outer, register, port, number) if is_statement(outer) else None
-    if _inside_own_value(reference, name, view) or not _is_read(reference, view):
+    if _stays(reference, name, view) or not _is_read(reference, view):
         return None
     element, mask = _masked(reference, view)
     return _Use(view, element, register, port, read=mask, done=READ)
@@ -210,17 +214,13 @@ def _assigned(assignment: ccode.Assignment, name: str, view: CodeView) -> Bits |
     return bits if all(each.what for each in bits) else None
 
 
-def _inside_own_value(reference: ccode.NameReference, name: str, view: CodeView) -> bool:
-    """Whether a register stands in the value of an understood assignment to itself, which says what becomes of its bits."""
+def _stays(reference: ccode.NameReference, name: str, view: CodeView) -> bool:
+    """Whether a register is read in an assignment to a register that says itself what its bits become, or is not understood."""
     each = reference.eContainer()
     while isinstance(each, ccode.Expression):
-        if isinstance(each, ccode.Assignment):
-            left = each.left
-            return (
-                isinstance(left, ccode.NameReference)
-                and register_of(left, view) == name
-                and _assigned(each, name, view) is not None
-            )
+        left = each.left if isinstance(each, ccode.Assignment) else None
+        if isinstance(each, ccode.Assignment) and isinstance(left, ccode.NameReference) and (other := register_of(left, view)):
+            return other == name or not is_statement(each) or _assigned(each, other, view) is None
         each = each.eContainer()
     return False
 

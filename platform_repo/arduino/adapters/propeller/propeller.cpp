@@ -239,12 +239,19 @@ inline uint32_t getcnt() {
 //# adapter getpin
 //#   for: int getpin(int pin)
 //#   kind: oneToMany
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital in
 //#   fidelity: exact: the output latch is cleared and the direction stays, as there
-//#   stack: 8 0
-inline int32_t getpin(int32_t pin) {
+//#   stack: 4 0
+inline int32_t getpin_at(int32_t pin) {
   Io io(pin);
+  io.set(false);
+  return io.high();
+}
+
+__attribute__((always_inline)) inline int32_t getpin(int32_t pin) {
+  if (!pin_is_known(pin)) return getpin_at(pin);
+  KnownIo io(pin);
   io.set(false);
   return io.high();
 }
@@ -252,23 +259,31 @@ inline int32_t getpin(int32_t pin) {
 //# adapter setpin
 //#   for: void setpin(int pin, int value)
 //#   kind: oneToMany
-//#   needs: simpletools.h/drive_level
+//#   needs: simpletools.h/drive_level hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 10 0
-inline void setpin(int32_t pin, int32_t value) {
-  drive_level(pin, value != 0);
+//#   stack: 12 2
+__attribute__((always_inline)) inline void setpin(int32_t pin, int32_t value) {
+  if (pin_is_known(pin)) KnownIo(pin).level(value != 0);
+  else drive_level(pin, value != 0);
 }
 
 //# adapter togglepin
 //#   for: void togglepin(int pin)
 //#   kind: oneToMany
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
-//#   stack: 8 0
-inline void togglepin(int32_t pin) {
+//#   stack: 4 0
+inline void togglepin_at(int32_t pin) {
   Io io(pin);
+  io.set(!io.latch());
+  io.drive(true);
+}
+
+__attribute__((always_inline)) inline void togglepin(int32_t pin) {
+  if (!pin_is_known(pin)) return togglepin_at(pin);
+  KnownIo io(pin);
   io.set(!io.latch());
   io.drive(true);
 }

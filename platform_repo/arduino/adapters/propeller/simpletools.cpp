@@ -3,59 +3,70 @@
 // A pin is one of the target here; any other number is a port that is not wired, where nothing happens and 0 is read.
 
 // ---------------------------------------------------------------- pins
+// A call whose pin the compiler knows becomes some instructions. In any other the pin is looked up, by a function that such calls share.
 
 //# helper drive_level
 //#   needs: hal/Io
 inline void drive_level(int32_t pin, bool value) {
-  Io io(pin);
-  if (!io.wired()) return;
-  digitalWrite(io.pin, value);  // which ends a wave of a timer there
-  io.set(value);
-  io.drive(true);
+  Io(pin).level(value);
 }
 
 //# adapter high
 //#   for: void high(int pin)
 //#   kind: oneToMany
-//#   needs: drive_level
+//#   needs: drive_level hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 10 0
-inline void high(int32_t pin) {
-  drive_level(pin, true);
+//#   stack: 12 2
+__attribute__((always_inline)) inline void high(int32_t pin) {
+  if (pin_is_known(pin)) KnownIo(pin).level(true);
+  else drive_level(pin, true);
 }
 
 //# adapter low
 //#   for: void low(int pin)
 //#   kind: oneToMany
-//#   needs: drive_level
+//#   needs: drive_level hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 10 0
-inline void low(int32_t pin) {
-  drive_level(pin, false);
+//#   stack: 12 2
+__attribute__((always_inline)) inline void low(int32_t pin) {
+  if (pin_is_known(pin)) KnownIo(pin).level(false);
+  else drive_level(pin, false);
 }
 
 //# adapter get_state
 //#   for: unsigned int get_state(int pin)
 //#   kind: oneToOne
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital in
 //#   fidelity: exact
-//#   stack: 12 0
-inline uint32_t get_state(int32_t pin) {
+//#   stack: 2 0
+inline uint32_t get_state_at(int32_t pin) {
   return Io(pin).high();
+}
+
+__attribute__((always_inline)) inline uint32_t get_state(int32_t pin) {
+  if (!pin_is_known(pin)) return get_state_at(pin);
+  return KnownIo(pin).high();
 }
 
 //# adapter input
 //#   for: unsigned int input(int pin)
 //#   kind: oneToMany
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital in
 //#   fidelity: exact; the output latch is kept
 //#   stack: 4 0
-inline uint32_t input(int32_t pin) {
+inline uint32_t input_at(int32_t pin) {
   Io io(pin);
+  io.drive(false);
+  return io.high();
+}
+
+__attribute__((always_inline)) inline uint32_t input(int32_t pin) {
+  if (!pin_is_known(pin)) return input_at(pin);
+  KnownIo io(pin);
   io.drive(false);
   return io.high();
 }
@@ -63,56 +74,84 @@ inline uint32_t input(int32_t pin) {
 //# adapter get_output
 //#   for: unsigned int get_output(int pin)
 //#   kind: semantic
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: the latch of the whole program; on the Propeller each cog has one of its own
-//#   stack: 12 0
-inline uint32_t get_output(int32_t pin) {
+//#   stack: 14 0
+inline uint32_t get_output_at(int32_t pin) {
   return Io(pin).latch();
+}
+
+__attribute__((always_inline)) inline uint32_t get_output(int32_t pin) {
+  if (!pin_is_known(pin)) return get_output_at(pin);
+  return KnownIo(pin).latch();
 }
 
 //# adapter get_direction
 //#   for: unsigned int get_direction(int pin)
 //#   kind: oneToOne
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: exact for a program on one cog
-//#   stack: 12 0
-inline uint32_t get_direction(int32_t pin) {
+//#   stack: 2 0
+inline uint32_t get_direction_at(int32_t pin) {
   return Io(pin).driven();
+}
+
+__attribute__((always_inline)) inline uint32_t get_direction(int32_t pin) {
+  if (!pin_is_known(pin)) return get_direction_at(pin);
+  return KnownIo(pin).driven();
 }
 
 //# adapter set_output
 //#   for: void set_output(int pin, int state)
 //#   kind: semantic
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact
-//#   stack: 12 0
-inline void set_output(int32_t pin, int32_t state) {
-  Io(pin).set(state != 0);
+//#   stack: 5 0
+inline void set_output_at(int32_t pin, bool state) {
+  Io(pin).set(state);
+}
+
+__attribute__((always_inline)) inline void set_output(int32_t pin, int32_t state) {
+  if (pin_is_known(pin)) KnownIo(pin).set(state != 0);
+  else set_output_at(pin, state != 0);
 }
 
 //# adapter set_direction
 //#   for: void set_direction(int pin, int direction)
 //#   kind: semantic
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: exact
-//#   stack: 12 0
-inline void set_direction(int32_t pin, int32_t direction) {
-  Io(pin).drive(direction != 0);
+//#   stack: 4 0
+inline void set_direction_at(int32_t pin, bool direction) {
+  Io(pin).drive(direction);
+}
+
+__attribute__((always_inline)) inline void set_direction(int32_t pin, int32_t direction) {
+  if (pin_is_known(pin)) KnownIo(pin).drive(direction != 0);
+  else set_direction_at(pin, direction != 0);
 }
 
 //# adapter toggle
 //#   for: unsigned int toggle(int pin)
 //#   kind: oneToMany
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
-//#   stack: 18 12
-inline uint32_t toggle(int32_t pin) {
+//#   stack: 16 14
+inline uint32_t toggle_at(int32_t pin) {
   Io io(pin);
+  io.set(!io.latch());
+  io.drive(true);
+  return io.latch();
+}
+
+__attribute__((always_inline)) inline uint32_t toggle(int32_t pin) {
+  if (!pin_is_known(pin)) return toggle_at(pin);
+  KnownIo io(pin);
   io.set(!io.latch());
   io.drive(true);
   return io.latch();
@@ -121,12 +160,19 @@ inline uint32_t toggle(int32_t pin) {
 //# adapter reverse
 //#   for: unsigned int reverse(int pin)
 //#   kind: oneToMany
-//#   needs: hal/Io
+//#   needs: hal/Io hal/KnownIo
 //#   pin: pin digital both
 //#   fidelity: exact
-//#   stack: 4 0
-inline uint32_t reverse(int32_t pin) {
+//#   stack: 6 0
+inline uint32_t reverse_at(int32_t pin) {
   Io io(pin);
+  io.drive(!io.driven());
+  return io.driven();
+}
+
+__attribute__((always_inline)) inline uint32_t reverse(int32_t pin) {
+  if (!pin_is_known(pin)) return reverse_at(pin);
+  KnownIo io(pin);
   io.drive(!io.driven());
   return io.driven();
 }
@@ -439,19 +485,31 @@ inline int32_t rc_time(int32_t pin, int32_t state) {
 //# adapter pulse_out
 //#   for: void pulse_out(int pin, int time)
 //#   kind: oneToMany
-//#   needs: hal/Io hal/pulse io_ticks TimedInput
+//#   needs: hal/Io hal/KnownIo hal/pulse io_ticks TimedInput
 //#   pin: pin digital out
 //#   fidelity: within 0.5 us or 1 %; the pulse is the inverse of the output latch
-//#   stack: 20 2
-inline void pulse_out(int32_t pin, int32_t time) {
-  Io io(pin);
-  if (!io.wired()) return;
+//#   stack: 28 20
+template <class Pin> inline void timed_pulse(Pin io, int32_t time) {
   uint32_t width = io_ticks == 80 ? (uint32_t)time : (uint32_t)time * io_ticks / 80;
-  io.drive(true);
   if (frames_due) frames_due();
   frames_wait = 20;
   pulse(io, width);
   frames_wait = 3;  // what answers to the pulse may be timed next
+}
+
+inline void pulse_out_at(int32_t pin, int32_t time) {
+  Io io(pin);
+  if (!io.wired()) return;
+  io.drive(true);
+  timed_pulse(io, time);
+}
+
+__attribute__((always_inline)) inline void pulse_out(int32_t pin, int32_t time) {
+  if (!pin_is_known(pin)) return pulse_out_at(pin, time);
+  KnownIo io(pin);
+  if (!io.wired()) return;
+  io.drive(true);
+  timed_pulse(io, time);
 }
 
 //# helper wave_pins
@@ -625,8 +683,8 @@ inline void pwm_stop() {
 
 //# helper dac_pins
 //#   fidelity: the pin of each channel of dac_ctr
-//#   ram: 8
-static int32_t dac_pins[2] = {-1, -1};
+//#   ram: 4
+static int16_t dac_pins[2] = {-1, -1};
 
 //# helper dac_bits
 //#   fidelity: resolution of dac_ctr
@@ -646,7 +704,7 @@ inline void end_dac(uint8_t channel) {
 //# adapter dac_ctr
 //#   for: void dac_ctr(int pin, int channel, int dacVal)
 //#   kind: semantic
-//#   needs: hal/Io dac_pins dac_bits end_dac
+//#   needs: hal/Io hal/KnownIo dac_pins dac_bits end_dac
 //#   setup rp2040: analogWriteFreq(20000);
 //#   pin: pin pwm out
 //#   fidelity avr: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
@@ -655,15 +713,22 @@ inline void end_dac(uint8_t channel) {
 //#   limit rp2040: 20 kHz instead of megahertz: a filter needs up to fifty times the capacity
 //#   limit other: 1 kHz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
-//#   stack: 24 12
-inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
+//#   stack: 23 14
+inline void dac_ctr_at(int16_t pin, uint8_t at, int32_t dacVal) {
+  if (pin != dac_pins[at]) {
+    end_dac(at);
+    if (Io(pin).wired()) dac_pins[at] = pin;
+  }
+  if (dac_pins[at] < 0) return;
+  if (dac_bits != 8) dacVal = (uint32_t)dacVal << (32 - dac_bits) >> 24;
+  analogWrite(pin, (uint8_t)dacVal);  // what does not fit is lost, as there
+}
+
+__attribute__((always_inline)) inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
   uint8_t at = channel != 0;
-  if (pin != dac_pins[at]) end_dac(at);
-  Io io(pin);
-  if (!io.wired()) return;
-  dac_pins[at] = pin;
-  uint32_t fraction = (uint32_t)dacVal << (32 - dac_bits);  // of 2 to the power of 32; what does not fit is lost, as there
-  analogWrite(io.pin, (int)(fraction >> 24));
+  int16_t number = pin < 0 || pin > 255 ? -1 : pin;
+  if (pin_is_known(pin) && number >= 0 && dac_pins[at] == number && dac_bits == 8) analogWrite(number, (uint8_t)dacVal);
+  else dac_ctr_at(number, at, dacVal);
 }
 
 //# adapter dac_ctr_res
@@ -711,30 +776,30 @@ static_assert(LSBFIRST == 0, "LSBFIRST is 0 in simpletools.h");
 static_assert(MSBFIRST == 1, "MSBFIRST is 1 in simpletools.h");
 
 //# helper clock_pulse
-//#   needs: hal/Io
+//#   needs: hal/Io hal/pulse
 inline void clock_pulse(const Io &clock) {
-  clock.set(!clock.latch());
-  clock.set(!clock.latch());
+  if (clock.wired()) pulse(clock, 1);
 }
 
 //# adapter shift_in
 //#   for: int shift_in(int pinDat, int pinClk, int mode, int bits)
 //#   kind: semantic
-//#   needs: hal/Io low clock_pulse MSBPRE LSBPRE MSBPOST
+//#   needs: hal/Io clock_pulse MSBPRE LSBPRE MSBPOST
 //#   pin: pinDat digital in
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 25 kHz
-//#   stack: 50 32
+//#   stack: 43 24
 inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits) {
   bool before = mode == MSBPRE || mode == LSBPRE, highest = mode == MSBPRE || mode == MSBPOST;
   Io data(pinDat), clock(pinClk);
-  uint32_t value = 0;
+  uint32_t value = 0, bit = 1;
   data.drive(false);
-  low(pinClk);
+  clock.level(false);
   for (uint8_t number = 0; number < bits; number++) {
     if (!before) clock_pulse(clock);
-    uint32_t bit = data.high();
-    value = highest ? value << 1 | bit : value | bit << number;
+    if (highest) value <<= 1;
+    if (data.high()) value |= bit;
+    if (!highest) bit <<= 1;
     if (before) clock_pulse(clock);
   }
   return (int32_t)value;
@@ -743,17 +808,20 @@ inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bi
 //# adapter shift_out
 //#   for: void shift_out(int pinDat, int pinClk, int mode, int bits, int value)
 //#   kind: semantic
-//#   needs: hal/Io low clock_pulse
+//#   needs: hal/Io clock_pulse
 //#   pin: pinDat digital out
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 30 kHz
-//#   stack: 58 32
+//#   stack: 52 24
 inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits, int32_t value) {
   Io data(pinDat), clock(pinClk);
+  bool lowest = mode == LSBFIRST;
+  uint32_t rest = lowest ? value : (uint32_t)value << (uint8_t)(32 - bits);
   data.drive(true);
-  low(pinClk);
-  for (uint8_t number = 0; number < bits; number++) {
-    data.set(value >> (mode == LSBFIRST ? number : bits - 1 - number) & 1);
+  clock.level(false);
+  for (uint8_t left = bits > 0 ? bits : 0; left; left--) {
+    data.set(lowest ? rest & 1 : rest >> 31);
+    rest = lowest ? rest >> 1 : rest << 1;
     clock_pulse(clock);
   }
 }

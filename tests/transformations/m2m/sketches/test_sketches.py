@@ -257,3 +257,33 @@ def test_an_unknown_source_board_is_refused(tmp_path: Path) -> None:
 def test_a_board_that_nobody_said_is_told(tmp_path: Path) -> None:
     outcome = run("migrate", HERE / "tabs" / "tabs.ino", "--target", "pico", "-o", tmp_path, "--yes", "--json")
     assert "RS115" in outcome.rules()
+
+
+def test_names_that_the_new_core_lacks_and_an_error_that_it_reaches_are_tasks(tmp_path: Path) -> None:
+    outcome = migrated("absent", tmp_path, source="mega")
+    lacking = [task for task in tasks(outcome, "RS346") if "absent_name" in task["message"]]
+    assert [task["location"]["line"] for task in lacking] == [4, 5, 6]
+    assert [task["location"]["line"] for task in tasks(outcome, "RS504") if "#error" in task["message"]] == [12]
+
+
+def test_an_error_that_the_board_does_not_reach_is_no_task(tmp_path: Path) -> None:
+    outcome = migrated("absent", tmp_path, source="mega", target="mega")
+    assert not tasks(outcome, "RS504")
+
+
+def test_each_line_that_the_compiler_refuses_is_a_task(tmp_path: Path) -> None:
+    outcome = migrated("refused", tmp_path)
+    assert [task["location"]["line"] for task in tasks(outcome, "RS504")] == list(range(3, 15))
+
+
+def test_the_eeprom_is_begun_where_setup_does_not_include_it(tmp_path: Path) -> None:
+    outcome = migrated("eeprom_elsewhere", tmp_path)
+    assert outcome.code == 0
+    assert text(tmp_path, "eeprom_elsewhere/eeprom_elsewhere.ino").splitlines()[:4] == [
+        "#include <EEPROM.h>",
+        '#include "store.h"',
+        "",
+        "void setup() { EEPROM.begin(1024);",
+    ]
+    assert text(tmp_path, "eeprom_elsewhere/store.cpp").count("EEPROM.commit();") == 1
+    assert not tasks(outcome, "RS504")

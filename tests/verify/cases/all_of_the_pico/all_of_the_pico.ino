@@ -13,6 +13,11 @@ static_assert(LED_BUILTIN == 25 && NUM_DIGITAL_PINS == 30, "pins");
 static_assert(sizeof(int) == 4 && sizeof(long) == 4 && sizeof(void *) == 4 && sizeof(double) == 8, "widths");
 static_assert(char(-1) > 0, "plain char is unsigned");
 
+template <class Text> struct Traits;
+template <> struct Traits<String> {};
+template <> struct Traits<StringSumHelper> {};  // two types, as libraries of JSON have it
+String joined(const StringSumHelper &text) { return text + "!"; }
+
 Servo servo;
 SoftwareSerial line(2, 3);
 repeating_timer_t timer;

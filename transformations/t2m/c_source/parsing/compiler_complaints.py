@@ -38,6 +38,7 @@ _SURE = re.compile(
 )
 """Matches errors that are about the program itself, not about a missing header."""
 _UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
+_ERROR = re.compile(rb"[ \t]*#[ \t]*error\b")
 _DEFINED = re.compile(rb"\b(\w+)[ \t]*\([^;{}()]*\)\s*\{")
 """Functions that a text defines, and statements with a condition, whose names no identifier has."""
 
@@ -72,23 +73,25 @@ def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
     )
     told: dict[tuple[str, int], CompilerComplaint] = {}
     for _, unit in program.units:
-        for each in _complaints(unit, program.texts, own):
+        for each in _complaints(unit, program.texts, own, program.complete):
             if each.file != program.adapters:
                 told.setdefault((each.file, each.line), each)
     return list(told.values())
 
 
-def _complaints(unit: int, texts: Mapping[str, bytes], own: Set[str]) -> Iterator[CompilerComplaint]:
+def _complaints(unit: int, texts: Mapping[str, bytes], own: Set[str], board: bool) -> Iterator[CompilerComplaint]:
+    """The errors of a unit; `board` says whether the board's macros are there, so that `#error` is the program's answer to it."""
     library = clang.library()
     for number in range(library.getNumDiagnostics(unit)):
         handle = library.getDiagnostic(unit, number)
         if library.getDiagnosticSeverity(handle) >= clang.ERROR:
             message = library.text(library.getDiagnosticSpelling(handle))
             unknown = _UNKNOWN.match(message)
-            if _SURE.match(message) or (unknown is not None and unknown[1] in own):
-                file, offset = clang.file_offset(library.getDiagnosticLocation(handle))
-                name = clang.file_name(file)
-                if name.startswith(SKETCH):
+            file, offset = clang.file_offset(library.getDiagnosticLocation(handle))
+            name = clang.file_name(file)
+            if name.startswith(SKETCH):
+                by_program = board and _ERROR.match(texts[name], texts[name].rfind(b"\n", 0, offset) + 1) is not None
+                if _SURE.match(message) or (unknown is not None and unknown[1] in own) or by_program:
                     line = texts[name].count(b"\n", 0, offset) + 1
-                    yield CompilerComplaint(name.removeprefix(f"{SKETCH}/"), line, message)
+                    yield CompilerComplaint(name.removeprefix(f"{SKETCH}/"), line, f"#error {message}" if by_program else message)
         library.disposeDiagnostic(handle)

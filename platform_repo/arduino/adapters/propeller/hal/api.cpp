@@ -71,7 +71,20 @@ struct Io {
     pinMode(pin, OUTPUT);
     digitalWrite(pin, latches[pin] ? HIGH : LOW);
   }
+  void level(bool value) const {
+    if (!known) return;
+    digitalWrite(pin, value ? HIGH : LOW);  // which ends a wave of a timer there
+    set(value);
+    drive(true);
+  }
 };
+
+//# helper KnownIo
+//#   needs: Io
+//#   fidelity: an Io is as fast whether the compiler knows its pin or not
+typedef Io KnownIo;
+
+inline bool pin_is_known(int32_t) { return false; }
 
 //# helper PinInput
 //#   needs: Io

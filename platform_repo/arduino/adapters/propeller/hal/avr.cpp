@@ -23,16 +23,42 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 //#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
 //#   ram: 5
-static uint8_t latches[(NUM_DIGITAL_PINS + 7) / 8];
+#ifdef PORTA
+const uint8_t first_port = 1;  // numbers of the core: 1 is port A, and there is no I
+#else
+const uint8_t first_port = 2;
+#endif
+#if defined(PORTL)
+const uint8_t last_port = 12;
+#elif defined(PORTJ)
+const uint8_t last_port = 10;
+#elif defined(PORTG)
+const uint8_t last_port = 7;
+#elif defined(PORTF)
+const uint8_t last_port = 6;
+#elif defined(PORTE)
+const uint8_t last_port = 5;
+#else
+const uint8_t last_port = 4;
+#endif
+static uint8_t latches[last_port - first_port + 1];
 static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
 
+inline void cog_drives(uint8_t pin, bool output) {  // the cog that runs drives the pin, or no longer does
+  if (!cog_pins_now) return;
+  uint8_t bit = 1 << (pin & 7);
+  if (output) cog_pins_now[pin >> 3] |= bit;
+  else cog_pins_now[pin >> 3] &= ~bit;
+}
+
 struct Io {  // one pin, ready for access to its registers
-  uint8_t pin, mask;
+  uint8_t pin, mask, *kept;
   volatile uint8_t *in, *direction, *out;
 
-  explicit Io(int32_t number) : pin(number), mask(0), in(0), direction(0), out(0) {
+  explicit Io(int32_t number) : pin(number), mask(0), kept(0), in(0), direction(0), out(0) {
     if (number < 0 || number >= NUM_DIGITAL_PINS) return;
     uint8_t port = digitalPinToPort(pin);
+    kept = latches + (port - first_port);
     mask = digitalPinToBitMask(pin);
     in = portInputRegister(port);
     direction = portModeRegister(port);
@@ -41,7 +67,7 @@ struct Io {  // one pin, ready for access to its registers
   bool wired() const { return mask != 0; }
   bool high() const { return wired() && (*in & mask); }
   bool driven() const { return wired() && (*direction & mask); }
-  bool latch() const { return wired() && (latches[pin >> 3] >> (pin & 7) & 1); }
+  bool latch() const { return wired() && (*kept & mask); }
   void put(volatile uint8_t *to, bool value) const {
     uint8_t old = SREG;
     cli();
@@ -51,17 +77,11 @@ struct Io {  // one pin, ready for access to its registers
   }
   void set(bool value) const {
     if (!wired()) return;
-    uint8_t bit = 1 << (pin & 7);
-    if (value) latches[pin >> 3] |= bit;
-    else latches[pin >> 3] &= ~bit;
+    if (value) *kept |= mask;
+    else *kept &= ~mask;
     if (driven()) put(out, value);
   }
-  void own(bool output) const {  // the cog that runs drives the pin, or no longer does
-    if (!cog_pins_now) return;
-    uint8_t bit = 1 << (pin & 7);
-    if (output) cog_pins_now[pin >> 3] |= bit;
-    else cog_pins_now[pin >> 3] &= ~bit;
-  }
+  void own(bool output) const { cog_drives(pin, output); }
   void drive_for_library() const {  // whose own cog goes on when the caller ends
     drive(true);
     if (wired()) own(false);
@@ -77,6 +97,98 @@ struct Io {  // one pin, ready for access to its registers
       put(out, false);
     }
   }
+  void level(bool value) const {
+    if (!wired()) return;
+    digitalWrite(pin, value);  // which ends a wave of a timer there
+    set(value);
+    drive(true);
+  }
+};
+
+//# helper pin_places
+//#   fidelity: port and bit of each pin on the boards of the core. Its own tables are in the program memory, where no compiler reads them
+#if defined(ARDUINO_AVR_UNO) || defined(ARDUINO_AVR_NANO) || defined(ARDUINO_AVR_PRO) || defined(ARDUINO_AVR_MINI) || \
+    defined(ARDUINO_AVR_DUEMILANOVE) || defined(ARDUINO_AVR_FIO) || defined(ARDUINO_AVR_LILYPAD) || defined(ARDUINO_AVR_BT) || \
+    defined(ARDUINO_AVR_ETHERNET)
+constexpr char pin_ports[] = "DDDDDDDDBBBBBBCCCCCC", pin_bits[] = "01234567012345012345";
+#else
+constexpr char pin_ports[] = "", pin_bits[] = "";  // another board: each pin is looked up
+#endif
+
+//# helper pin_places
+//#   mcu: atmega32u4
+#if defined(ARDUINO_AVR_LEONARDO) || defined(ARDUINO_AVR_MICRO) || defined(ARDUINO_AVR_LILYPAD_USB) || defined(ARDUINO_AVR_YUN)
+constexpr char pin_ports[] = "DDDDDCDEBBBBDCBBBBFFFFFFDDBBBDD", pin_bits[] = "2310467645676731207654104745665";
+#else
+constexpr char pin_ports[] = "", pin_bits[] = "";  // another board: each pin is looked up
+#endif
+
+//# helper pin_places
+//#   mcu: atmega2560
+#if defined(ARDUINO_AVR_MEGA2560) || defined(ARDUINO_AVR_ADK)
+constexpr char pin_ports[] = "EEEEGEHHHHBBBBJJHHDDDDAAAAAAAACCCCCCCCDGGGLLLLLLLLBBBBFFFFFFFFKKKKKKKK";
+constexpr char pin_bits[] = "0145533456456710103210012345677654321072107654321032100123456701234567";
+#else
+constexpr char pin_ports[] = "", pin_bits[] = "";  // another board: each pin is looked up
+#endif
+
+//# helper KnownIo
+//#   needs: Io pin_places
+//#   fidelity: as Io, for a pin that the compiler knows: some instructions, where Io looks for registers and masks
+__attribute__((always_inline)) inline bool pin_is_known(int32_t number) {
+  return sizeof pin_ports == NUM_DIGITAL_PINS + 1 && __builtin_constant_p(number);
+}
+
+struct KnownIo {
+  uint8_t pin, mask, *kept;
+  volatile uint8_t *in;  // PINx; DDRx and PORTx are the registers behind it
+
+  __attribute__((always_inline)) explicit KnownIo(int32_t number) : pin(number), mask(0), kept(0), in(0) {
+    if (number < 0 || number >= NUM_DIGITAL_PINS) return;
+    char port = pin_ports[number];
+    kept = latches + (port - 'A' - (port > 'I') + 1 - first_port);  // no port is called I
+    mask = 1 << (pin_bits[number] - '0');
+    in = port < 'H' ? (volatile uint8_t *)0x20 + 3 * (port - 'A') : (volatile uint8_t *)0x100 + 3 * (port - 'H' - (port > 'I'));
+  }
+  __attribute__((always_inline)) bool wired() const { return mask != 0; }
+  __attribute__((always_inline)) bool high() const { return mask && (*in & mask); }
+  __attribute__((always_inline)) bool driven() const { return mask && (in[1] & mask); }
+  __attribute__((always_inline)) bool latch() const { return mask && (*kept & mask); }
+  __attribute__((always_inline)) void put(volatile uint8_t *to, bool value) const {
+    uint8_t old = SREG;
+    if (to >= (volatile uint8_t *)0x40) cli();  // below, it is one instruction
+    if (value) *to |= mask;
+    else *to &= ~mask;
+    if (to >= (volatile uint8_t *)0x40) SREG = old;
+  }
+  __attribute__((always_inline)) void keep(bool value) const {
+    if (value) *kept |= mask;
+    else *kept &= ~mask;
+  }
+  __attribute__((always_inline)) void set(bool value) const {
+    if (!mask) return;
+    keep(value);
+    if (driven()) put(in + 2, value);
+  }
+  __attribute__((always_inline)) void drive(bool output) const {
+    if (!mask) return;
+    cog_drives(pin, output);
+    if (output) {
+      put(in + 2, latch());
+      put(in + 1, true);
+    } else {
+      put(in + 1, false);
+      put(in + 2, false);
+    }
+  }
+  __attribute__((always_inline)) void level(bool value) const {  // an output with that level; a wave of a timer ends
+    if (!mask) return;
+    keep(value);
+    if (digitalPinHasPWM(pin)) digitalWrite(pin, value);
+    else put(in + 2, value);
+    cog_drives(pin, true);
+    put(in + 1, true);
+  }
 };
 
 // ---------------------------------------------------------------- time of edges
@@ -91,11 +203,11 @@ struct PinInput {  // the level of a wired pin, read fast
   bool high() const { return *in & mask; }
 };
 
-inline PinInput input_of(const Io &io) { return {io.in, io.mask}; }
+template <class Pin> inline PinInput input_of(const Pin &io) { return {io.in, io.mask}; }
 
 //# helper pulse
-//#   needs: Io
-inline void pulse(const Io &io, uint32_t width) {  // the pin, an output, is inverted for so many microseconds
+//#   needs: PinInput
+inline void pulse(PinInput io, uint32_t width) {  // the pin, an output, is inverted for so many microseconds
   uint8_t old = SREG;
   cli();
   if (width < 40) {
@@ -119,6 +231,8 @@ inline void pulse(const Io &io, uint32_t width) {  // the pin, an output, is inv
   *io.in = io.mask;
   SREG = old;
 }
+
+template <class Pin> inline void pulse(const Pin &io, uint32_t width) { pulse(input_of(io), width); }
 
 //# helper edge_clock
 //#   fidelity: micros() moves in steps of 4 us; counting up to the next step of Timer0 makes an edge known to 6 cycles

@@ -65,7 +65,20 @@ struct Io {
     if (output) gpio_set_dir_out_masked(mask);
     else gpio_set_dir_in_masked(mask);
   }
+  void level(bool value) const {
+    if (!wired()) return;
+    digitalWrite(pin, value);  // which ends a wave there
+    set(value);
+    drive(true);
+  }
 };
+
+//# helper KnownIo
+//#   needs: Io
+//#   fidelity: an Io is as fast whether the compiler knows its pin or not
+typedef Io KnownIo;
+
+inline bool pin_is_known(int32_t) { return false; }
 
 //# helper PinInput
 //#   needs: Io

@@ -12,6 +12,7 @@
 
 #include "api/Common.h"
 #include "avr/pgmspace.h"
+#include "binary.h"
 
 #ifdef __cplusplus
 #include <initializer_list>

@@ -96,8 +96,8 @@ extern "C" void resetHandler() {
   for (uint32_t *to = &dataBegin, *from = &dataFrom; to < &dataEnd;) *to++ = *from++;
   for (uint32_t *to = &bssBegin; to < &bssEnd;) *to++ = 0;
   startClocks();
-  startTime();
-  startUsb();
+  __start_time();
+  __start_usb();
   for (auto construct = initBegin; construct < initEnd; construct++) (*construct)();
   main();
   hang();

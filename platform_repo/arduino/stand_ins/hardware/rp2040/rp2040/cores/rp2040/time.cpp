@@ -46,7 +46,7 @@ void runDue() {
 
 extern "C" {
 
-void startTime() {
+void __start_time() {
   handleAlarm(SLEEP_ALARM, awake);
   handleAlarm(REPEAT_ALARM, runDue);
 }

@@ -174,7 +174,7 @@ void raised() {
 
 }  // namespace
 
-extern "C" void startUsb() {
+extern "C" void __start_usb() {
   reg(CLOCKS + 0x54) = 1 << 11;  // 48 MHz of its PLL
   clearBits(RESETS, 1 << 24);
   while (!(reg(RESETS + 8) >> 24 & 1)) {}

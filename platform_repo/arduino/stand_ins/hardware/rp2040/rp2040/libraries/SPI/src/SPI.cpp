@@ -58,3 +58,10 @@ uint16_t SPIClass::transfer16(uint16_t value) {
 void SPIClass::transfer(void *bytes, size_t count) {
   for (uint8_t *each = (uint8_t *)bytes; count--; each++) *each = transfer(*each);
 }
+
+void SPIClass::transfer(const void *sent, void *received, size_t count) {
+  for (size_t at = 0; at < count; at++) {
+    uint8_t answer = transfer(sent ? ((const uint8_t *)sent)[at] : (uint8_t)0xff);
+    if (received) ((uint8_t *)received)[at] = answer;
+  }
+}

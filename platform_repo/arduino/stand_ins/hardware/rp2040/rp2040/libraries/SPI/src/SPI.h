@@ -32,6 +32,7 @@ class SPIClass {
   uint8_t transfer(uint8_t byte);
   uint16_t transfer16(uint16_t value);
   void transfer(void *bytes, size_t count);
+  void transfer(const void *sent, void *received, size_t count);  // either may be null
 
  private:
   pin_size_t rx = PIN_SPI0_MISO, tx = PIN_SPI0_MOSI, sck = PIN_SPI0_SCK, cs = PIN_SPI0_SS;

@@ -1,4 +1,4 @@
-// The two masters of I2C. There is no slave.
+// The two masters of I2C. A slave compiles, and nobody ever calls it: begin(address) and its handlers do nothing.
 #pragma once
 #include <Arduino.h>
 
@@ -10,6 +10,10 @@ class TwoWire : public Stream {
   bool setSDA(pin_size_t pin) { sda = pin; return true; }
   bool setSCL(pin_size_t pin) { scl = pin; return true; }
   void begin();
+  void begin(uint8_t) {}
+  void begin(int) {}
+  void onReceive(void (*)(int)) {}
+  void onRequest(void (*)()) {}
   void end();
   void setClock(uint32_t hertz);
   void setTimeout(unsigned long milliseconds, bool = false) { Stream::setTimeout(milliseconds); }
@@ -19,6 +23,10 @@ class TwoWire : public Stream {
   size_t requestFrom(int address, int count, int stop = 1) { return requestFrom((uint8_t)address, (size_t)count, stop != 0); }
   using Print::write;
   size_t write(uint8_t byte) override;
+  size_t write(int value) { return write((uint8_t)value); }
+  size_t write(unsigned value) { return write((uint8_t)value); }
+  size_t write(long value) { return write((uint8_t)value); }
+  size_t write(unsigned long value) { return write((uint8_t)value); }
   int available() override { return have - at; }
   int read() override { return at < have ? buffer[at++] : -1; }
   int peek() override { return at < have ? buffer[at] : -1; }

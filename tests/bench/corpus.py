@@ -1,0 +1,228 @@
+"""What a corpus run costs beside the analyses that it is made of, and what its page costs.
+
+The programs are those of `c_source`, repeated, each with a line of its own: PROGRAMS of them are analysed. Ratios are to analyses
+and bare parses of every SAMPLE-th of the same programs in one process, in the same minute. The ratio by the clock shows what else
+the machine does, the ratio by processor time does not. Memory is that of the run's own process from its START-th program on.
+
+MANY programs stand for a large corpus where nothing is analysed: their rows are copies of analysed ones, which the run itself
+stores. The second run, the page and the browser are measured on them. What an analysis costs does not depend on the number of
+programs, as the ratio of the late programs to the early ones shows; the cost of MANY analyses is therefore that of PROGRAMS by
+their ratio.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Generator, Iterator, Sequence
+from datetime import datetime
+from pathlib import Path
+
+from msgspec.structs import replace
+
+from robosmi.corpus.backends import backend_of
+from robosmi.corpus.digests import digest_of
+from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramWork
+from robosmi.corpus.running import CorpusRun
+from robosmi.corpus.settings import cores, options_of
+from robosmi.corpus.spec import read_spec
+from robosmi.corpus.store import Store
+from robosmi.plugins import content
+from tests.bench import c_source
+from tests.bench.figures import Figure, not_measured
+
+PROGRAMS, MANY, SAMPLE = 1000, 10_000, 4
+START = PROGRAMS // 5
+"""The program from which on the memory of the run is looked at."""
+MB = 1 << 20
+FILTER = """
+const done = arguments[0], words = document.getElementById("words"), start = performance.now();
+words.value = "pause";
+words.dispatchEvent(new Event("input"));
+requestAnimationFrame(() => setTimeout(() => done(performance.now() - start)));
+"""
+LOADED = "const t = performance.getEntriesByType('navigation')[0]; return t.domComplete - t.startTime"
+
+
+def figures() -> Iterator[Figure]:
+    """Times, memory and ratios of corpus runs."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        os.environ["ROBOSMI_HOME"] = str(folder / "home")
+        spec = written(folder / "some", PROGRAMS)
+        yield from pool(spec, folder / "pool")
+        yield from cluster(spec, folder)
+        many = written(folder / "many", MANY)
+        copied(many, folder / "large")
+        yield from second_run(many, folder / "large")
+        yield from page(folder / "large", folder / "page")
+
+
+def written(folder: Path, count: int) -> Path:
+    """So many programs, each with a line of its own; their specification."""
+    texts = [path.read_bytes() for path in c_source.corpus()]
+    (folder / "programs").mkdir(parents=True)
+    for number in range(count):
+        text = texts[number % len(texts)]
+        (folder / "programs" / f"p{number:05}.c").write_bytes(text + f"\nint repetition_{number} = {number};\n".encode())
+    spec = folder / "corpus.toml"
+    spec.write_text('[[programs]]\nglob = "programs/*.c"\n', encoding="utf-8")
+    return spec
+
+
+def command(*words: str | Path) -> list[str]:
+    """The command line of `robosmi corpus`."""
+    return [sys.executable, "-m", "robosmi", "corpus", *map(str, words)]
+
+
+def processor_seconds(who: int) -> float:
+    """Processor time of this process or of its children that have ended."""
+    used = resource.getrusage(who)
+    return used.ru_utime + used.ru_stime
+
+
+def pool(spec: Path, out: Path) -> Iterator[Figure]:
+    """A run in worker processes, against the same analyses in this process."""
+    memory: list[tuple[float, int]] = []
+    before, started = processor_seconds(resource.RUSAGE_CHILDREN), time.time()
+    with subprocess.Popen(command("run", spec, "-o", out, "--fail-on", "never"), stdout=subprocess.DEVNULL) as running:
+        watching = threading.Thread(target=watched, args=(running, memory))
+        watching.start()
+        running.wait()
+        watching.join()
+    wall, used = time.time() - started, processor_seconds(resource.RUSAGE_CHILDREN) - before
+    with Store(out / "corpus.sqlite") as store:
+        ends = sorted(datetime.fromisoformat(row[0]).timestamp() for row in store.query("SELECT finished FROM programs").rows)
+    parse_wall, analyse_wall, analyse_used = alone(spec)
+    share, note = PROGRAMS / cores(), f"{PROGRAMS} programs, {cores()} workers, {wall:.0f} s"
+    yield Figure(
+        "corpus run, to analysis in one process / cores, by the clock", wall / (analyse_wall * share), "x", 1.3, note=note
+    )
+    yield Figure("corpus run, to analysis in one process, processor time", used / (analyse_used * PROGRAMS), "x", 1.3)
+    yield Figure("corpus run, to bare parses / cores, by the clock", wall / (parse_wall * share), "x")
+    middle = START + (PROGRAMS - START) // 2
+    early, late = ends[middle] - ends[START], ends[-1] - ends[middle]
+    yield Figure(
+        "corpus run, a late program to an early one", late / early * (middle - START) / (PROGRAMS - 1 - middle), "x", 1.3
+    )
+    late_memory = [size for moment, size in memory if moment >= ends[START]]
+    yield Figure("corpus run, memory of the parent, greatest", max(size for _, size in memory) / MB, "MB", 300)
+    growth = 100 * (max(late_memory) / late_memory[0] - 1)
+    yield Figure(f"corpus run, growth of that from program {START} on", growth, "%", 10)
+
+
+def watched(process: subprocess.Popen[bytes], memory: list[tuple[float, int]]) -> None:
+    """Note the memory of a process until it ends."""
+    page_size = resource.getpagesize()
+    while process.poll() is None:
+        try:
+            pages = int(Path(f"/proc/{process.pid}/statm").read_text(encoding="ascii").split()[1])
+        except (OSError, IndexError):
+            return
+        if pages:
+            memory.append((time.time(), pages * page_size))
+        time.sleep(0.1)
+
+
+def alone(spec: Path) -> tuple[float, float, float]:
+    """Seconds of a bare parse and of an analysis, and processor seconds of an analysis: the mean of some of the programs."""
+    analyse = content("chain", "corpus_analyse")
+    paths = sorted((spec.parent / "programs").iterdir())
+    for path in paths[: len(c_source.corpus()) : SAMPLE]:  # what is loaded once is loaded
+        analysed(analyse, path)
+    parsing = analysing = used = 0.0
+    chosen = paths[::SAMPLE]
+    for path in chosen:
+        start = time.perf_counter()
+        c_source.bare(path, ())
+        parsed, processor = time.perf_counter(), time.process_time()
+        analysed(analyse, path)
+        parsing += parsed - start
+        analysing += time.perf_counter() - parsed
+        used += time.process_time() - processor
+    return parsing / len(chosen), analysing / len(chosen), used / len(chosen)
+
+
+def analysed(analyse: object, path: Path) -> None:
+    """Analyse a program as a run does; one that cannot be analysed costs what it costs."""
+    assert callable(analyse)
+    try:
+        analyse(ProgramWork(path.name, str(path)))
+    except Exception:
+        return
+
+
+def cluster(spec: Path, folder: Path) -> Iterator[Figure]:
+    """The same run on a cluster of Dask on this machine."""
+    try:
+        import distributed  # noqa: F401
+    except ImportError:
+        yield not_measured("corpus run on Dask", "install robosmi[cluster]")
+        return
+    from tests.corpus_runs.clusters import cluster as running
+
+    seconds = {}
+    with running(folder, workers=cores(), PYTHONPATH="") as (place, _, _):
+        for name, words in (("dask", ["--scheduler", place]), ("pool", [])):
+            start = time.perf_counter()
+            line = command("run", spec, "-o", folder / f"on_{name}", "--fail-on", "never", *words)
+            subprocess.run(line, check=True, stdout=subprocess.DEVNULL)
+            seconds[name] = time.perf_counter() - start
+    note = f"{PROGRAMS} programs, {seconds['dask']:.0f} s and {seconds['pool']:.0f} s"
+    yield Figure("corpus run on Dask, to worker processes", seconds["dask"] / seconds["pool"], "x", 1.5, note=note)
+
+
+def copied(spec: Path, out: Path) -> None:
+    """Run a large corpus whose results are copies: its first programs are analysed, the others get their rows."""
+    count = len(c_source.corpus())
+    read = read_spec(spec)
+    options = options_of(read)
+    small = spec.with_name("first.toml")
+    small.write_text('[[programs]]\nglob = "programs/p00[0-4]*.c"\n', encoding="utf-8")
+    first = CorpusRun(read_spec(small), out.with_name("first"), options)
+    results = {result.id: result for result in first.results(backend_of(options))}
+    files = content("chain", "corpus_files")
+
+    def copies(jobs: Iterator[ProgramJob], steps: Sequence[str]) -> Generator[ProgramResult, None, None]:
+        for job in jobs:
+            number = int(Path(job.work.path).stem[1:])
+            model = results[f"programs/p{number % count:05}.c"]
+            yield replace(model, id=job.work.id, files={path: digest_of(path) for path in files(job.work)})
+
+    for _ in CorpusRun(read, out, options).results(copies):
+        pass
+
+
+def second_run(spec: Path, out: Path) -> Iterator[Figure]:
+    """A run in which nothing has changed."""
+    start = time.perf_counter()
+    done = subprocess.run(
+        command("run", spec, "-o", out, "--fail-on", "never", "--json"), check=True, capture_output=True, text=True
+    )  # fmt: skip
+    seconds = time.perf_counter() - start
+    assert f'"unchanged": {MANY}' in done.stdout
+    yield Figure(f"corpus run, {MANY} programs of which none has changed", seconds, "s", 5)
+
+
+def page(out: Path, into: Path) -> Iterator[Figure]:
+    """The page of a large corpus, made and used."""
+    start = time.perf_counter()
+    subprocess.run(command("report", out, "-o", into), check=True, stdout=subprocess.DEVNULL)
+    seconds = time.perf_counter() - start
+    size = (into / "index.html").stat().st_size / MB
+    yield Figure(f"corpus report, {MANY} programs", seconds, "s", 10, note=f"{size:.1f} MB")
+    if not (shutil.which("chromium") and shutil.which("chromedriver")):
+        yield not_measured("corpus report in a browser", "apt-get install chromium chromium-driver")
+        return
+    from tests.page.browsers import chromium
+
+    with chromium() as driver:
+        driver.get((into / "index.html").as_uri())
+        yield Figure("corpus report, opened in a browser", float(driver.execute_script(LOADED)) / 1000, "s", 1)
+        yield Figure("corpus report, first filter", float(driver.execute_async_script(FILTER)) / 1000, "s", 1)

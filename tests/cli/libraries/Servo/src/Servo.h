@@ -1,0 +1,6 @@
+#pragma once
+class Servo {
+public:
+  int attach(int pin);
+  void writeMicroseconds(int value);
+};

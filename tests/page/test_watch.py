@@ -1,0 +1,210 @@
+"""Both programs side by side: the runs as the server makes them, and the live part of the page in a real browser."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.project import FILE_NAME
+from robosmi.transformations.chains.page import PlanPage
+from robosmi.transformations.chains.watch import WatchedFolder, state_of
+from robosmi.verify.scenario import read_scenario
+from robosmi.verify.traces.activity import BURST, LEVEL, PULSES, WAVE, ActivityEvent
+from tests.page.browsers import Served
+from tests.running import run
+from tests.tools import require_tools, require_verification
+
+PROGRAM = """#include "simpletools.h"
+int main()
+{
+  print("ready\\n");
+  while (1) {
+    if (input(7) == 1)
+      high(3);
+    else
+      low(3);
+    pause(20);
+  }
+}
+"""
+PARTS = "pin;part;title;connector\nD5;LED;lamp;anode\nD7;Button;key;A\n"
+BUILDS = 120.0
+"""Seconds that both programs may take to be built and simulated, on a busy machine."""
+Serve = Callable[[Path], Served]
+PRESSED = [{"title": "key", "setting": "points", "points": [[400, 1], [800, 0]]}]
+
+
+@pytest.fixture
+def out(tmp_path: Path) -> Path:
+    """A lamp that is on while a key is pressed."""
+    require_tools("avr-gcc", "arduino-core-avr")
+    require_verification("simavr")
+    (tmp_path / "lamp.c").write_text(PROGRAM)
+    (tmp_path / "parts.csv").write_text(PARTS)
+    (tmp_path / FILE_NAME).write_text('[bind]\nP3 = "D5"\nP7 = "D7"\n')
+    robosmi.migrate([tmp_path / "lamp.c"], tmp_path / "out", hardware=tmp_path / "parts.csv", target="uno")
+    return tmp_path / "out"
+
+
+def lamp(answer: dict[str, Any], side: str) -> list[tuple[str, float]]:
+    """What the lamp does on a side: its states with their times."""
+    (channel,) = [each for each in answer["channels"] if each["component"] == "lamp"]
+    return [(event[1], event[0]) for event in channel["sides"][side]]
+
+
+def test_both_programs_see_an_input_at_the_same_simulated_time(out: Path) -> None:
+    watched = WatchedFolder(out)
+    answer = watched.answer({"ms": 1200, "inputs": PRESSED})
+    assert answer["state"] == "done", answer["message"]
+    for side in ("original", "migrated"):
+        states = lamp(answer, side)
+        assert [state for state, _ in states][-2:] == ["on", "off"]
+        (on, off) = [at for _, at in states[-2:]]
+        assert 400 <= on <= 440
+        assert 800 <= off <= 840
+        assert "ready" in "".join(text for _, text in answer["console"][side])
+    (key,) = [each for each in answer["inputs"] if each["title"] == "key"]
+    assert (key["control"], key["points"]) == ("button", [[400, 1], [800, 0]])
+    watched.close()
+
+
+def test_a_further_input_leaves_what_was_before_it(out: Path) -> None:
+    watched = WatchedFolder(out)
+    first = watched.answer({"ms": 1200, "inputs": PRESSED})
+    more = [{**PRESSED[0], "points": [*PRESSED[0]["points"], [1000, 1]]}]
+    second = watched.answer({"ms": 1200, "inputs": more})
+    for side in ("original", "migrated"):
+        assert lamp(second, side)[: len(lamp(first, side))] == lamp(first, side)
+        assert len(lamp(second, side)) == len(lamp(first, side)) + 1
+    watched.close()
+
+
+def test_the_first_difference_is_that_of_verify_and_an_edit_is_seen_at_once(out: Path) -> None:
+    watched = WatchedFolder(out)
+    same = watched.answer({"ms": 1200, "inputs": PRESSED, "compare": True})
+    assert (same["verdict"], same["difference"]) == ("no-difference-found", None)
+    sketch = out / "lamp" / "lamp.ino"
+    text = sketch.read_text()
+    assert "high(" in text
+    sketch.write_text(text.replace("high(", "low("))
+    other = watched.answer({"ms": 1200, "inputs": PRESSED, "compare": True})
+    assert other["verdict"] == "different"
+    assert 380 <= other["difference"]["ms"] <= 840
+    assert "lamp" in other["difference"]["channel"]
+    watched.close()
+
+
+def test_a_run_is_saved_as_a_test_case_that_can_be_replayed(out: Path) -> None:
+    watched = WatchedFolder(out)
+    saved = watched.answer({"ms": 1200, "inputs": PRESSED, "save": "key pressed"})
+    assert (saved["state"], saved["cases"]) == ("done", ["key_pressed"])
+    case = read_scenario(out / "models" / "scenarios" / "key_pressed.toml")
+    assert (case.horizon_ms, case.signals["key"]["points"]) == (1200, ((400, 1), (800, 0)))
+    again = watched.answer({"ms": 1200, "inputs": [], "save": "key pressed"})
+    assert again["state"] == "refused"
+    replayed = watched.answer({"scenario": "key_pressed"})
+    assert [state for state, _ in lamp(replayed, "migrated")][-2:] == ["on", "off"]
+    watched.close()
+
+
+@pytest.mark.parametrize(
+    "about",
+    [
+        {},
+        {"ms": True},
+        {"ms": 1e9},
+        {"ms": float("nan")},
+        {"ms": 1000, "inputs": "key"},
+        {"ms": 1000, "inputs": [1]},
+        {"ms": 1000, "inputs": [{"title": "key", "points": []}]},
+        {"ms": 1000, "inputs": [{"title": "key", "points": [[5, 1], [1, 0]]}]},
+        {"ms": 1000, "inputs": [{"title": "key", "points": [["x", 1]]}]},
+        {"ms": 1000, "inputs": [{"title": "key", "points": [[1, 7]]}]},
+        {"ms": 1000, "inputs": [{"title": "nobody", "points": [[1, 1]]}]},
+        {"ms": 1000, "inputs": [], "save": "../../x"},
+        {"ms": 1000, "inputs": [], "save": "x" * 99},
+        {"scenario": "../lamp"},
+    ],
+)
+def test_what_means_nothing_is_refused_and_nothing_is_written(about: dict[str, Any], out: Path) -> None:
+    watched = WatchedFolder(out)
+    answer = watched.answer(about)
+    assert answer["state"] == "refused"
+    assert not (out / "models" / "scenarios").exists()
+    watched.close()
+
+
+def test_a_sketch_that_does_not_compile_is_said(out: Path) -> None:
+    (out / "lamp" / "lamp.ino").write_text("no sketch\n")
+    answer = WatchedFolder(out).answer({"ms": 1000})
+    assert answer["state"] == "refused"
+    assert "compile" in answer["message"]
+
+
+def test_of_runs_that_wait_only_the_last_is_done(out: Path) -> None:
+    watched = WatchedFolder(out)
+    assert watched.answer({"ms": 200, "tab": "a", "number": 5})["state"] == "done"
+    assert watched.answer({"ms": 200, "tab": "a", "number": 4})["state"] == "superseded"
+    assert watched.answer({"ms": 200, "tab": "b", "number": 1})["state"] == "done"
+    watched.close()
+
+
+@pytest.mark.parametrize(
+    ("event", "wheel", "state"),
+    [
+        (ActivityEvent(0, LEVEL, (1,)), 0, "on"),
+        (ActivityEvent(0, LEVEL, (0,)), 0, "off"),
+        (ActivityEvent(0, PULSES, (1500.0,)), 0, "90"),
+        (ActivityEvent(0, PULSES, (1000.0,)), 0, "40"),
+        (ActivityEvent(0, PULSES, (1600.0,)), 1, "50"),
+        (ActivityEvent(0, PULSES, (1300.0,)), -1, "100"),
+        (ActivityEvent(0, PULSES, (1500.0,)), -1, "0"),
+        (ActivityEvent(0, WAVE, (440.0, 0.5)), 0, "440"),
+        (ActivityEvent(0, WAVE, (0.0, 0.3)), 0, "on"),
+        (ActivityEvent(0, BURST, (3,)), 0, "on"),
+    ],
+)
+def test_the_state_of_a_part_is_that_of_the_contract(event: ActivityEvent, wheel: int, state: str) -> None:
+    assert state_of(event, wheel) == state
+
+
+def test_the_live_part_runs_pauses_steps_takes_an_input_and_stops(out: Path, serve: Serve) -> None:
+    page = serve(out)
+    page.open()
+    lamp_of = "document.querySelector('[data-component=lamp][data-side={}]').dataset.state"
+    clock = "return Number(document.getElementById('clock').dataset.ms)"
+    page.script("document.querySelector('[data-run]').click()")
+    page.wait(lambda: page.script(clock) > 100, BUILDS)
+    assert page.script(f"return {lamp_of.format('original')}") == "off"
+    page.script("document.querySelector('[data-input=key]').click()")
+    page.wait(
+        lambda: page.script(f"return {lamp_of.format('migrated')} === 'on' && {lamp_of.format('original')} === 'on'"), BUILDS
+    )
+    page.script("document.getElementById('pause').click()")
+    stood = page.script(clock)
+    assert page.script(clock) == stood
+    assert "ready" in page.script("return document.getElementById('console-migrated').textContent")
+    assert page.script("return document.querySelectorAll('#timeline path').length") >= 2
+    page.script("document.getElementById('case-name').value = 'by hand'; document.getElementById('save').click()")
+    page.wait(lambda: page.script("return [...document.getElementById('case').options].some(o => o.value === 'by_hand')"), BUILDS)
+    page.script("document.querySelector('[data-run]').click()")
+    assert page.script("return document.querySelector('[data-run]').dataset.run") == "stopped"
+
+
+def test_the_report_says_how_to_run_it(out: Path) -> None:
+    text = PlanPage(out).document(live=False, nonce="n")
+    assert "data-run" not in text.partition("<script")[0]
+    assert f"robosmi open {out}" in text
+
+
+def test_the_command_serves_the_live_part_alone(out: Path) -> None:
+    assert run("simulate", out.parent / "nowhere", "--watch", "--no-browser").code == 3
+    assert run("simulate", out, "--watch", "--seconds", "2").code == 2
+    page = PlanPage(out, shown=["watch"])
+    text = page.document(live=True, nonce="n")
+    assert "data-run" in text
+    assert 'id="decide"' not in text

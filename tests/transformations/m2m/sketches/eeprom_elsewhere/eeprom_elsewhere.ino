@@ -1,0 +1,7 @@
+#include "store.h"
+
+void setup() {
+  store(3);
+}
+
+void loop() {}

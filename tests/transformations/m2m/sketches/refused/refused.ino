@@ -1,0 +1,16 @@
+int *place;
+void setup() {
+  place = 0x20;
+  place = 0x21;
+  place = 0x22;
+  place = 0x23;
+  place = 0x24;
+  place = 0x25;
+  place = 0x26;
+  place = 0x27;
+  place = 0x28;
+  place = 0x29;
+  place = 0x30;
+  place = 0x31;
+}
+void loop() {}
