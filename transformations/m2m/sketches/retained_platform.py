@@ -153,11 +153,10 @@ def place_findings(
     A line may use several registers. It is cured if no name of one is left in it.
     """
     facts = portability_facts(str(plan.source.name)) if plan.source is not None else None
-    registers = {
-        kind: frozenset(facts.registers.get(told.registers, ()))
-        for kind, told in (facts.kinds.items() if facts is not None else ())
-        if told.registers
-    }
+    registers: dict[str, frozenset[str]] = {}
+    if facts is not None:
+        known = facts.registers
+        registers = {kind: frozenset(known.get(told.registers, ())) for kind, told in facts.kinds.items() if told.registers}
     left = _unchanged_lines(plan, sources) if any(place.kind in (*registers, OF_NAMES) for place in places) else {}
     bound = {
         (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)

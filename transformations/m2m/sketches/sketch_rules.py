@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from robosmi.transformations.m2m.sketches.absent_names import absent_names
 from robosmi.transformations.m2m.sketches.analogue import analogue
-from robosmi.transformations.m2m.sketches.avr_calls import avr_calls
+from robosmi.transformations.m2m.sketches.avr_calls import avr_calls, sleep_modes
 from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
 from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
 from robosmi.transformations.m2m.sketches.flash_reads import flash_reads
@@ -15,7 +15,6 @@ from robosmi.transformations.m2m.sketches.object_bytes import object_bytes
 from robosmi.transformations.m2m.sketches.register_idioms import register_idioms
 from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
 from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
-from robosmi.transformations.m2m.sketches.sleep_modes import sleep_modes
 from robosmi.transformations.m2m.sketches.timer_ticks import timer_ticks
 from robosmi.transformations.m2m.sketches.usb_console import usb_console
 from robosmi.transformations.m2m.sketches.zero_bytes import zero_bytes
