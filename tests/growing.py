@@ -125,6 +125,14 @@ PROGRAMS: dict[str, tuple[Callable[[int], str], int]] = {
     "calls": (lambda n: "int main(void) {" + "high(1); pause(5);\n" * n + "}\n", 4000),
     "calls in one line": (lambda n: "int main(void) {" + "high(1); " * n + "}\n", 8000),
     "local variables": (lambda n: "int main(void) {" + "".join(f"int v{i} = {i}; v{i}++;\n" for i in range(n)) + "}\n", 4000),
+    "variables of loops beside conditions": (
+        lambda n: (
+            "int x, y; int main(void) { while (1) {"
+            + "for (int i = 0; i < 3; i++) high(i);\nif (x > y) low(4);\nx = x + 1; pause(10);\n" * n
+            + "} }\n"
+        ),
+        1200,
+    ),
     "statements within statements": (_deep, 4000),
     "else after else": (
         lambda n: (

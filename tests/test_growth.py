@@ -24,6 +24,7 @@ SIZES = {
     "functions that call the next: migrate": 250,
     "ports given to macros: migrate": 300,
     "local variables: migrate": 300,
+    "variables of loops beside conditions: migrate": 120,
     "conditions: analyse": 700,
     "definitions of one function: analyse": 1200,
     "definitions of one local variable: analyse": 900,

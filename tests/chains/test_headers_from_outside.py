@@ -40,3 +40,14 @@ def test_a_header_from_outside_is_named(
     outcome = run("migrate", "blink.c", *options, "-o", "out", "--json")
     told = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS113"]
     assert told == ([f"'{tmp_path / 'key.h'}' is outside the program's folders and is copied with it"] if said else [])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+@pytest.mark.parametrize("options", [[], ["-I", "inc"]])
+def test_a_header_that_is_a_pipe_is_rejected_at_once(options: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "inc").mkdir()
+    os.mkfifo((tmp_path / "inc" if options else tmp_path) / "key.h")
+    (tmp_path / "blink.c").write_text(PROGRAM.format(header="key.h"))
+    monkeypatch.chdir(tmp_path)
+    outcome = run("migrate", "blink.c", *options, "-o", "out")
+    assert (outcome.code, "named pipe" in outcome.err, (tmp_path / "out").exists()) == (3, True, False)

@@ -138,7 +138,13 @@ class CodeView:
     @cached_property
     def values(self) -> Values:
         """The values that expressions of the unit have; what is once found is kept."""
-        return Values(self.program, self.unit, self.api.pin_constants)
+        return Values(self.program, self.unit, self.api.pin_constants, self._takes_pins)
+
+    def _takes_pins(self, function: str, position: int) -> bool:
+        """Whether a parameter of a platform function is a pin or an array of pins, which it only reads."""
+        entry = self.resolve(function) if not self.defined(function) else None
+        facts = self.api.pins(function, entry.header) if entry is not None else None
+        return facts is not None and any(parameter.position == position for parameter in facts.parameters)
 
     @cached_property
     def reached_values(self) -> ReachedValues:

@@ -23,6 +23,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.macros.constant_text import calculate, macro_number
 from robosmi.transformations.queries.macros.expansion import MacroTexts
 from robosmi.transformations.queries.own_headers import included
+from robosmi.transformations.queries.written_arrays import WrittenArrays
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
@@ -46,9 +47,16 @@ class Values:
         program: the program, for its callers and macros.
         unit: the unit whose macros take precedence.
         constants: constant of the platform -> its value on the board of the program.
+        reads: (function of the platform, position) -> whether it surely only reads an array that it gets there.
     """
 
-    def __init__(self, program: ccode.Program, unit: ccode.SourceUnit, constants: Mapping[str, int] | None = None) -> None:
+    def __init__(
+        self,
+        program: ccode.Program,
+        unit: ccode.SourceUnit,
+        constants: Mapping[str, int] | None = None,
+        reads: Callable[[str, int], bool] | None = None,
+    ) -> None:
         self._constants = constants or {}
         self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
         self._own_macros = {str(m.name) for u in (unit, *included(unit)) for m in u.macros}
@@ -60,6 +68,7 @@ class Values:
             if isinstance(declaration, ccode.Enumeration):
                 self.names.update({str(literal.name): literal for literal in declaration.literals})
         self._walk = BoundedWalk([RUNTIME])
+        self._written = WrittenArrays(reads)
 
     def of(self, expression: Element | None) -> list[Value]:
         """The values of an expression, in text order, each once."""
@@ -128,7 +137,7 @@ class Values:
                 if str(container.operator) != "=":
                     return [RUNTIME]
                 assigned.append(container.right)
-            elif isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--", "&"):
+            elif _written(reference) or self._written.is_referred(reference):
                 return [RUNTIME]
         if len(assigned) != 1:
             return [RUNTIME]
@@ -227,10 +236,8 @@ class Values:
             return None if not passed or any(p is None for p in passed) else [v for p in passed for v in p or []]
         if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
             return None
-        for reference in target.references:
-            container = reference.eContainer()
-            if isinstance(container, ccode.Index) and container.array is reference and _written(container):
-                return None
+        if self._written.is_written(target):
+            return None
         found: list[Value] = []
         for element in target.initializer.elements:
             values = self.of(element.right if isinstance(element, ccode.Assignment) else element)

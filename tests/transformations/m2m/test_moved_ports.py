@@ -78,6 +78,9 @@ def test_each_port_moves_its_own_pin(program: Path, tmp_path: Path) -> None:
         ("mask_of_members", []),
         ("pointer_through_table", []),
         ("platform_function_pointer", []),
+        ("written_array", ["RS327"]),
+        ("list_of_members", []),
+        ("members_of_a_union", []),
     ],
 )
 def test_what_only_a_run_shows_is_told(name: str, rules: list[str]) -> None:

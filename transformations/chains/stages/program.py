@@ -321,7 +321,10 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
         for name in _included(path):
             if not name.lower().endswith(INCLUDED):
                 continue
-            place = next((p for p in (folder / name for folder in (path.parent, *include_dirs)) if p.is_file()), None)
+            places = (folder / name for folder in (path.parent, *include_dirs))
+            place = next((p for p in places if p.exists() and not p.is_dir()), None)
+            if place is not None:
+                _check_ordinary(place, path)
             if place is not None and os.path.realpath(place) not in seen:
                 if api.header_kind(name) is not None:
                     defined = _defined(paths) if defined is None else defined
@@ -330,6 +333,20 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
                 seen.add(os.path.realpath(place))
                 found.append(place)
     return found
+
+
+def _check_ordinary(header: Path, includer: Path) -> None:
+    """Make sure that a header is an ordinary file: a compiler would wait for a named pipe, and read a device without end.
+
+    Raises:
+        SourceError: it is none.
+    """
+    try:
+        inputs.check_ordinary(header)
+    except inputs.InputRejectedError as error:
+        raise SourceError(
+            f"cannot read the header '{header.name}': {error.strerror}", location=Location(str(includer)), fix=error.fix
+        ) from error
 
 
 def library_headers(paths: Sequence[Path], api: ApiIndex) -> list[str]:

@@ -419,7 +419,9 @@ class Writer(Struct):
         if place is None or not self.lambdas or not re.fullmatch(r"&?\s*\w+", self._slice(place)):
             return False
         name = self._slice(place).lstrip("& \t\n")
-        text = f"[](const void *a, const void *b) -> int {{ int32_t order = {name}(a, b); return (order > 0) - (order < 0); }}"
+        a, b, order = (f"{local}_" if local == name else local for local in ("a", "b", "order"))
+        compared = f"int32_t {order} = {name}({a}, {b}); return ({order} > 0) - ({order} < 0);"
+        text = f"[](const void *{a}, const void *{b}) -> int {{ {compared} }}"
         self._add(place.unit, Replacement(place.start, place.end, text), ORDER)
         return True
 

@@ -411,8 +411,18 @@ class FoldedCode(FoldedValues):
         for statement in block.statements:
             after = self._run(statement, after) if after is not None else None
             if after is None:
-                break
+                return None
+        self._leave_scope(block.statements, after)
         return after
+
+    def _leave_scope(self, statements: Iterable[ccode.Statement | None], state: State | None) -> None:
+        """Forget the variables that statements declare in their block, except those that live as long as the program."""
+        if state is None:
+            return
+        for statement in statements:
+            for declaration in statement.declarations if isinstance(statement, ccode.DeclarationStatement) else ():
+                if isinstance(declaration, ccode.Variable) and not self.lasts(declaration):
+                    state.pop(identity(declaration), None)
 
     def _expression(self, statement: ccode.ExpressionStatement, state: State) -> State:
         self.value(statement.expression, state)
@@ -458,6 +468,13 @@ class FoldedCode(FoldedValues):
     def _loop(self, loop: ccode.Loop, state: State) -> State | None:
         if isinstance(loop, ccode.For) and loop.initial is not None:
             self._run(loop.initial, state)
+        after = self._rounds(loop, state)
+        if isinstance(loop, ccode.For):
+            self._leave_scope([loop.initial], after)
+        return after
+
+    def _rounds(self, loop: ccode.Loop, state: State) -> State | None:
+        """Evaluate the rounds of a loop up to a fixed point: the values where it is left."""
         if loop.declaration is not None or (isinstance(loop, ccode.For) and loop.range is not None):
             self.whatever(loop, state)
             return state

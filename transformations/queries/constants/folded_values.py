@@ -89,6 +89,7 @@ class FoldedValues:
         self.pending = list(program.beginnings)
         self._started = {id(each) for each in self.pending}
         self._trackable: dict[int, bool] = {}
+        self._stored_in_memory: set[Key] = set()
         self.depth = 0
         self._values = program.values
 
@@ -209,7 +210,10 @@ class FoldedValues:
         """Assign a variable in `state` if it is tracked; the value that it then has, None if unknown."""
         if self._tracked(variable):
             value = _fitting(value, variable.valueType)
-            state[identity(variable)] = value
+            key = identity(variable)
+            state[key] = value
+            if self.in_memory(key):
+                self._stored_in_memory.add(key)
             return value
         return None
 
@@ -266,7 +270,7 @@ class FoldedValues:
         before = self.arguments.get(id(call), given)
         self.arguments[id(call)] = [one if one == other else None for one, other in zip(before, given, strict=True)]
         if not self.harmless(call):
-            for key in [key for key in state if self.in_memory(key)]:
+            for key in state.keys() & self._stored_in_memory:
                 del state[key]
         return answer
 
@@ -342,11 +346,15 @@ def join(states: Iterable[State | None]) -> State | None:
     if not there:
         return None
     first, *others = there
-    return {
-        key: value if all(other[key] == value for other in others) else None
-        for key, value in first.items()
-        if all(key in other for other in others)
-    }
+    joined = dict(first)
+    for other in others:
+        if joined != other:
+            for key, _ in joined.items() - other.items():  # few, and found without a step of Python for each variable
+                if key in other:
+                    joined[key] = None
+                else:
+                    del joined[key]
+    return joined
 
 
 def _calculated(operator: str, left: int | None, right: int | None) -> int | None:

@@ -60,6 +60,10 @@ class Classes:
         """Whether the program declares a class."""
         return name in self._records
 
+    def named(self, name: str) -> ccode.Record | None:
+        """The class or structure of a name that the program declares."""
+        return self._records.get(name)
+
     def is_visible(self, name: str) -> bool:
         """Whether the text makes objects of a class of the program with arguments."""
         return name in self._constructors and name in self._made

@@ -13,11 +13,18 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.pin_uses import pin_number
-from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer, pointed_functions, takes_number
+from robosmi.transformations.queries.flows.pointers import (
+    gives_access,
+    moved_pointer,
+    pinless_functions,
+    pointed_functions,
+    takes_number,
+)
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.library_pins import may_be_pin
@@ -26,6 +33,8 @@ from robosmi.transformations.queries.member_records import record_key, record_of
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
+_ANY = frozenset(["void *", "const void *"])
+"""Pointers to which a record's are converted to hand them on."""
 _DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -87,6 +96,8 @@ class FlowReader:
         known = {str(reference.name): view for reference, view in pointed} if not own else {}
         self.pointed = {p.position: (name, p) for name, view in known.items() for p in self.pins(name, view)}
         """Position -> (function, pin parameter) of platform functions called through pointers, if no own one is."""
+        self._other_pointed = bool(known) and any(pinless_functions(views))
+        """Whether calls through pointers may reach functions that take another number in a pin's place."""
         for view in views:
             self._macro_arguments(view)
 
@@ -224,8 +235,17 @@ class FlowReader:
         return key
 
     def _cast(self, cast: ccode.Cast) -> None:
-        """Join the members at equal positions of two records between whose pointers a cast converts."""
+        """Join the members at equal positions of two records between whose pointers a cast converts.
+
+        A pointer to numbers made of one to a record may read and write all its members.
+        """
         records = records_of_cast(cast)
+        if records is None and cast.target is not None and cast.target.pointerDepth and str(cast.target.spelling) not in _ANY:
+            kind = type_of(cast.operand, {})
+            record = kind.declaration if kind is not None and kind.depth else None
+            if isinstance(record, ccode.Record):
+                for key in (self.value(cast.operand), *(self._field(str(f.name), record_key(record)) for f in record.fields)):
+                    self.flows.freeze(key, f"line {cast.line} casts it", computed=True)
         fields = [record.fields for record in records] if records is not None else []
         for one, other in zip(*fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
@@ -315,6 +335,12 @@ class FlowReader:
                 self._constructed(str(element.className), list(element.arguments), element, view)
             elif isinstance(element, ccode.MemberInitializer):
                 self._initial_member(element, view)
+            elif isinstance(element, ccode.InitializerList):
+                self._listed(element)
+            elif isinstance(element, ccode.Field) and element.initializer is not None:
+                self._default_member(element)
+            elif isinstance(element, ccode.Record) and element.recordKind is ccode.RecordKind.unionType:
+                self._one_place(element)
             elif isinstance(element, ccode.For) and element.range is not None:
                 for declaration in element.declaration.declarations if element.declaration is not None else ():
                     self.flows.freeze(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
@@ -388,6 +414,63 @@ class FlowReader:
             self._constructed(kind, arguments, initial, view)
         elif record is not None and len(arguments) == 1:
             self._give(self._own_field(str(field.name), record), arguments[0])
+
+    def _default_member(self, field: ccode.Field) -> None:
+        """Give a member the value that its class declares it with."""
+        if record_of(field.valueType) is None:
+            for value in leaves(field.initializer):
+                self._give(self._field(str(field.name), record_key(field.eContainer())), value)
+
+    def _one_place(self, union: ccode.Record) -> None:
+        """Join the members of a union, which are one place in memory."""
+        keys = [self._field(str(field.name), record_key(union)) for field in union.fields]
+        types = {type_name(field.valueType) for field in union.fields}
+        for key in keys:
+            self.flows.join(keys[0], key)
+            if len(types) > 1:
+                self.flows.freeze(key, "it is a member of a union of several types", computed=True)
+
+    def _listed(self, values: ccode.InitializerList) -> None:
+        """Give the members of a structure what a list without a variable gives them: `(struct led){4, 5}`, `return {4, 5}`.
+
+        Where the text does not say the structure, any with as many members may be meant.
+        """
+        around = values.eContainer()
+        inside = isinstance(around, ccode.Assignment) and isinstance(around.eContainer(), ccode.InitializerList)
+        if inside or isinstance(around, (ccode.Variable, ccode.InitializerList)) or not values.elements:
+            return
+        types = self._types_listed(values, around)
+        for use in types:
+            for member, value in members_given(use, values):
+                self._give(self._field(str(member.name), record_key(member.eContainer())), value)
+        if not types:
+            records = (e for view in self.views for e in view.of_kind(ccode.Record) if len(e.fields) >= len(values.elements))
+            for field in (field for record in records for field in record.fields):
+                key = self._field(str(field.name), record_key(field.eContainer()))
+                self.flows.freeze(key, f"a list may give it a value (line {values.line})", computed=True)
+
+    def _types_listed(self, values: ccode.InitializerList, around: Element | None) -> list[ccode.TypeUse]:
+        """The types that a list of values may be of; empty where the text does not say one."""
+        found: list[ccode.TypeUse | None] = []
+        if isinstance(around, ccode.Cast) and around.target is not None:
+            found = [around.target]
+        elif isinstance(around, ccode.Cast) or (isinstance(around, ccode.Unary) and around.operator == "new"):
+            unit = ancestor_of_kind(around, ccode.SourceUnit)
+            text = self.sources[unit.path][around.startOffset : values.startOffset] if unit is not None else b""
+            record = self._classes.named(text.decode("latin-1").strip().rpartition(" ")[2].rpartition("::")[2])
+            found = [ccode.TypeUse(declaration=record)] if record is not None else []
+        elif isinstance(around, (ccode.Field, ccode.Parameter)):
+            found = [around.valueType]
+        elif isinstance(around, ccode.Return):
+            function = ancestor_of_kind(around, ccode.Function)
+            found = [function.returnType] if function is not None else []
+        elif isinstance(around, ccode.Assignment):
+            kind = type_of(around.left, {})
+            found = [ccode.TypeUse(declaration=kind.declaration)] if kind is not None and kind.declaration is not None else []
+        elif isinstance(around, ccode.Call):
+            place = list(around.arguments).index(values)
+            found = [f.parameters[place].valueType for f in self.called(around) if place < len(f.parameters)]
+        return [use for use in found if use is not None]
 
     def takes(self, made: Element | None, position: int, view: CodeView) -> bool:
         """Whether it is followed what becomes of an argument of a construction."""
@@ -496,8 +579,9 @@ class FlowReader:
                 self._give(("through a pointer", position), argument)
             for name, pin in self.pointed.values():
                 if pin.position < len(arguments) and takes_number(call, pin.position):
-                    self.flows.freeze(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
-                    self._pin(name, pin, call, view)
+                    why = f"it is given through a pointer (line {call.line})"
+                    self.flows.freeze(self.value(arguments[pin.position]), why)
+                    self._pin(name, pin, call, view, mixed=self._other_pointed)
             return
         parameters = self.pins(str(call.calleeName or ""), view)
         if not parameters:
@@ -507,7 +591,7 @@ class FlowReader:
             if pin.position < len(arguments):
                 self._pin(str(call.calleeName), pin, call, view)
 
-    def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView) -> None:
+    def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView, *, mixed: bool = False) -> None:
         """Let the flow of a call's argument end in a pin parameter of a platform function."""
         text, arguments = self.texts[view.unit.path], list(call.arguments)
         if call.calleeExpression is not None:  # which may have parentheses of its own
@@ -519,7 +603,7 @@ class FlowReader:
         if places is not None and len(places) == len(arguments) and places[pin.position]:
             start, end = places[pin.position][0][1], places[pin.position][-1][2]
         if not text.tokens or view_text(self.sources[view.unit.path], start, end) not in pin.none:
-            self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument))
+            self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument, mixed=mixed))
 
     def _exchanged(self, arguments: Sequence[ccode.Expression]) -> None:
         """Join the arguments through which an unknown function may pass values on: pointers, arrays, callbacks."""

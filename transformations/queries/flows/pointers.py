@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -30,6 +30,18 @@ def pointed_functions(
                 if facts is not None and facts.parameters:
                     platform.append((reference, view))
     return platform, own
+
+
+def pinless_functions(views: Sequence[CodeView]) -> Iterator[str]:
+    """The names of the platform's functions that are used as values and take no pin."""
+    for view in views:
+        for reference in view.of_kind(ccode.NameReference):
+            target = reference.target
+            if isinstance(target, ccode.ExternalSymbol) and not view.defined(name := str(reference.name)):
+                entry = view.resolve(name)
+                facts = view.api.pins(name, entry.header) if entry is not None else None
+                if entry is not None and entry.callable and (facts is None or not facts.parameters):
+                    yield name
 
 
 def _is_number(parameter: ccode.Parameter) -> bool:

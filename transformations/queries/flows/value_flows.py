@@ -48,6 +48,7 @@ class PinArgument(Struct, frozen=True):
         made: the calls that macros expand to with this argument, where they are known.
         unplaced: whether no place in the source stands for this argument alone, so that it cannot be looked up.
         construction: the construction of an object of the platform, where that takes the pin instead of a call.
+        mixed: whether the call may reach functions, too, that take another number in the pin's place.
     """
 
     unit: ccode.SourceUnit
@@ -60,6 +61,7 @@ class PinArgument(Struct, frozen=True):
     made: tuple[ccode.Call, ...] = ()
     unplaced: bool = False
     construction: ccode.ConstructorCall | ccode.MemberInitializer | None = None
+    mixed: bool = False
 
     @property
     def given(self) -> list[ccode.Expression] | None:

@@ -170,6 +170,7 @@ def _flow_ports(
         computed = [meant(v.number) for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
         numbers |= {pin_number(number) for number in (*given, *computed) if number is not None}
         anything = flow.computed or None in computed or not numbers
+    anything |= any(argument.mixed for argument in flow.arguments)
     return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine, made)
 
 

@@ -163,6 +163,27 @@ def test_a_header_that_is_a_pipe_or_a_device_is_empty(where: str, tmp_path: Path
     assert declared(tmp_path / "main.c", *([folder] if folder != tmp_path else [])) == "['tail']\n"
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+@pytest.mark.parametrize(
+    "include",
+    [
+        '#define H "pipe.h"\n#include H\n',
+        "#define S(x) #x\n#include S(pipe.h)\n",
+        '#define H "inner/pipe.h"\n#include H\n',
+        '#\\\ninclude "pipe.h"\n',
+        '#inc\\\nlude "pipe.h"\n',
+        '#include "ordinary.h"\n#include NAMED\n',
+    ],
+)
+def test_a_pipe_that_no_include_names_plainly_is_empty(include: str, tmp_path: Path) -> None:
+    (tmp_path / "inner").mkdir()
+    os.mkfifo(tmp_path / "pipe.h")
+    os.mkfifo(tmp_path / "inner" / "pipe.h")
+    (tmp_path / "ordinary.h").write_text('#define NAMED "inner/pipe.h"\n')
+    (tmp_path / "main.c").write_text(f"{include}int tail(void) {{ return high(2); }}\n")
+    assert declared(tmp_path / "main.c") == "['tail']\n"
+
+
 def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
     (tmp_path / "pin.def").write_text("PIN(1)\n")
     (tmp_path / "guarded.h").write_text('#ifndef G\n#define G\n#include "guarded.h"\n#include "guarded.h"\n#endif\n')

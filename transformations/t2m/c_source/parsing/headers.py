@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from functools import lru_cache
+from itertools import islice
 
 from msgspec import Struct
 
@@ -26,6 +27,8 @@ MOST = 1000
 """Number of headers of one file that are read at most."""
 INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
 _INCLUDE_LINE = re.compile(rb"^[ \t]*#[ \t]*include\b[^\n]*", re.MULTILINE)
+MOST_NAMED = 20_000
+"""Number of places named by macros that are looked at."""
 MOST_ENTERED, MOST_READ, OFTEN = 20_000, 200_000_000, 60
 """Inclusions and bytes of one text; beyond, headers entered more often than `OFTEN` lose their includes."""
 DEEPEST = 200
@@ -33,6 +36,9 @@ DEEPEST = 200
 _GUARD = re.compile(rb"^[ \t]*#[ \t]*(?:ifndef[ \t]+|if[ \t]*![ \t]*defined[ \t(]+)(\w+)", re.MULTILINE)
 _FIRST = re.compile(rb"^[ \t]*#", re.MULTILINE)
 _ONCE = re.compile(rb"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
+_COMPUTED = re.compile(rb"include(?![ \t]*[\"<])")
+_MACRO = re.compile(rb"^[ \t]*#[ \t]*define\b[^\n]*", re.MULTILINE)
+_QUOTED = re.compile(rb"[\"<]([^\">\n]+)[\">]")
 _UP = frozenset(["", ".", ".."])
 
 
@@ -81,6 +87,9 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
     A header whose text nests too deep gets that part cut out; one that includes itself again and again loses its includes; one
     that cannot be read, is a pipe or device, or has macros that grow without bound becomes empty. All of this is rare.
 
+    A macro may name a header (`#include NAME`) that no pattern finds. So each pipe and device in a folder that is searched, and
+    each that a text of a macro names, is there as an empty file: libclang would wait for it.
+
     Args:
         path: path of the file with the text.
         data: the text.
@@ -88,12 +97,14 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
         known: headers that are left out, with all that they include.
     """
     root = os.path.abspath(path)
-    files = {root: _File(root, len(data), _Content(data, tuple(INCLUDED.findall(data)), guarded(data)))}
+    files = {root: _File(root, len(data), _content_of(data, None))}
     keys: dict[str, str] = {}  # of places, which `..` spells in many ways
     pending = [root]
+    waiting = {place for folder in folders.stamped for place in not_ordinary(folder)}
     while pending:
         file = files[pending.pop()]
         beside = os.path.dirname(file.path)
+        waiting.update(not_ordinary(state_of(beside)))
         for raw in file.content.included:
             for place in folders.places(os.fsdecode(raw), beside):
                 if place in known:
@@ -112,8 +123,14 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
                     pending.append(key)
                 file.inner.append(key)
                 break
+    if asking := {os.path.dirname(file.path) for file in files.values() if file.content.by_macro}:
+        names = dict.fromkeys(os.fsdecode(raw) for file in files.values() for raw in file.content.named)
+        places = (place for name in names for beside in asking for place in folders.places(name, beside))
+        waiting.update(place for place in islice(places, MOST_NAMED) if _waits(place))
     itself = _bound(files, root)
     del files[root]
+    for place in waiting:
+        files.setdefault(os.path.normpath(place), _File(place, 0, _NOTHING))
     return Reached([HeaderText(file.path, file.size, file.text) for file in files.values()], itself)
 
 
@@ -124,11 +141,18 @@ class _Content(Struct, frozen=True):
         text: the changed text that replaces the file's own, None if that is used.
         included: the names in its `#include` directives.
         guarded: whether an include guard or `#pragma once` keeps it from being read twice.
+        named: the names between quotes or `<>` in its macros.
+        by_macro: whether it may have an `#include` that does not name its file itself, but a macro.
     """
 
     text: bytes | None
     included: tuple[bytes, ...]
     guarded: bool
+    named: tuple[bytes, ...] = ()
+    by_macro: bool = False
+
+
+_NOTHING = _Content(b"", (), True)
 
 
 class _File:
@@ -200,16 +224,43 @@ def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
 @lru_cache(maxsize=2000)
 def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
     if size > LARGEST or not regular:  # a pipe or device may never end
-        return _Content(b"", (), True)
+        return _NOTHING
     try:
         data = inputs.read_bytes(path, inputs.SOURCE)
-        included, once = tuple(INCLUDED.findall(data)), guarded(data)
-        if shallow(data):
-            return _Content(None, included, once)
-        edits = cuts(path, data, tokens(data))
+        edits = [] if shallow(data) else cuts(path, data, tokens(data))
     except (OSError, SourceError):
-        return _Content(b"", (), True)
-    return _Content(Scratch(data, edits).data if edits else None, included, once)
+        return _NOTHING
+    return _content_of(data, Scratch(data, edits).data if edits else None)
+
+
+def _content_of(data: bytes, text: bytes | None) -> _Content:
+    """The facts about a text, which `text` replaces unless it is None."""
+    named = tuple(name for line in _MACRO.findall(data) for name in _QUOTED.findall(line))
+    return _Content(text, tuple(INCLUDED.findall(data)), guarded(data), named, names_by_macro(data))
+
+
+def names_by_macro(data: bytes) -> bool:
+    """Whether a text may have an `#include` that does not name its file itself."""
+    return _COMPUTED.search(data) is not None
+
+
+@lru_cache(maxsize=1000)
+def not_ordinary(folder: State) -> tuple[str, ...]:
+    """The paths of the pipes, devices and sockets in a folder."""
+    try:
+        with os.scandir(folder[0]) as entries:
+            return tuple(e.path for e in entries if not e.is_file() and not e.is_dir() and _waits(e.path))
+    except OSError:
+        return ()
+
+
+def _waits(path: str) -> bool:
+    """Whether a path leads to a pipe, a device or a socket."""
+    try:
+        mode = os.stat(path).st_mode
+    except (OSError, ValueError):
+        return False
+    return not stat.S_ISREG(mode) and not stat.S_ISDIR(mode)
 
 
 def guarded(data: bytes) -> bool:

@@ -34,7 +34,7 @@ from robosmi.transformations.t2m.c_source.parsing.error_recovery import (
     guess,
     opening,
 )
-from robosmi.transformations.t2m.c_source.parsing.headers import Folders, Reached, reached
+from robosmi.transformations.t2m.c_source.parsing.headers import Folders, Reached, names_by_macro, not_ordinary, reached, state_of
 from robosmi.transformations.t2m.c_source.parsing.invocation import (
     PRELUDE,
     VIRTUAL,
@@ -343,6 +343,8 @@ class Call:
         if (
             not include_dirs
             and not before
+            and not names_by_macro(source.parsed)
+            and not not_ordinary(state_of(own))
             and not any(os.path.exists(os.path.join(own, name)) for name in included(source.parsed) if name)
         ):
             headers = standard_headers(api, source.parsed)
