@@ -254,3 +254,10 @@ def test_pulses_of_a_tone_that_interrupts_stretch_or_cut_off_are_no_pulses_of_th
     tone[201] = (tone[201][0] + 90, 0)
     tone[-1] = (tone[-1][0] - 400, 0)
     assert [what for _, what in said(trace(tone))] == ["low", "1000 Hz", "low"]
+
+
+def test_frames_of_a_servo_are_frames_whoever_makes_them() -> None:
+    widths = [1_000.0] * 50 + [2_000.0] * 50
+    by_timer = [Wave(100_000.0, "D1", 50.0, 0.05), Wave(1_090_700.0, "D1", 50.0, 0.1), Wave(2_100_000.0, "D1", 0.0, 0.0)]
+    assert said(trace((), by_timer))[:3] == said(trace(frames(100_000, widths)))[:3]
+    assert [what for _, what in said(trace((), by_timer))] == ["low", "pulses of 1000 us", "pulses of 2000 us", "low"]

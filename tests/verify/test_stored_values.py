@@ -96,3 +96,9 @@ def test_addresses_repeat_beyond_the_memory_of_the_target() -> None:
     trace = PinTrace("", "running", 10.0, (), (), (), (), stored=(StoredByte(1.0, 32772, 7),), store_bytes=1024)
     [event] = stored_events(trace)
     assert event.value == ("byte 7 at address 4",)
+
+
+def test_a_memory_of_unknown_size_has_the_addresses_that_the_program_gives() -> None:
+    trace = PinTrace("", "running", 10.0, (), (), (), (), stored=(StoredByte(1.0, 32772, 7),))
+    [event] = stored_events(trace)
+    assert event.value == ("byte 7 at address 32772",)

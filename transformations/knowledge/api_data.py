@@ -46,9 +46,10 @@ class BoardPort(TypedDict):
 
 
 class PortSettings(TypedDict, total=False):
-    """`[ports]`: how many ports there are, and what is known of them."""
+    """`[ports]`: how many ports there are, what stands in front of their numbers in names, and what is known of them."""
 
     count: int
+    prefix: str
     look_up: dict[str, str]
     names: dict[str, str]
     channels: dict[str, int]

@@ -32,7 +32,7 @@ from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
 from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
-from robosmi.transformations.queries.plans.retained_pins import retained_pins, retains_platform
+from robosmi.transformations.queries.plans.retained_pins import move_facts, retained_pins, retains_platform
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import SourceText, words_of
 
@@ -233,7 +233,7 @@ def put_together(
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=retained_pins(plan)))
     if retains_platform(plan):
-        change_registers(d.views, d.bindings, d.files, _same_architecture(plan))
+        change_registers(d.views, d.bindings, d.files, _same_architecture(plan), bool(move_facts(plan).pwm_frequency))
         explicit_enumerators(plan, d.files)
     settle_libraries(plan)
     close_idle_choices(plan)

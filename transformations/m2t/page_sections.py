@@ -25,8 +25,8 @@ from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, known_diff
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.bus_pins import bus_pins
 from robosmi.transformations.queries.plans.choices import AvailableChoice, Choice, Option, available_choices, choices, reason
+from robosmi.transformations.queries.plans.moved_wires import moved_wiring
 from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
 from robosmi.transformations.queries.plans.verdicts import verdict_counts
@@ -307,9 +307,11 @@ def wiring(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
     ]  # fmt: skip
     drawn = {c.pin.label for c in plan.connections if c.pin is not None}
     rows += [(label, "", "", "", ", ".join(names)) for label, names in ports.items() if label not in drawn]
-    rows += [(pin.new, pin.bus, pin.signal, "", pin.old) for pin in bus_pins(plan) if pin.new not in drawn]
     picture = svg(plan.circuit, wrong, ports).partition("?>")[2].lstrip() if plan.circuit is not None else ""
-    return {"rows": rows, "picture": picture, "wires": _wires(plan, sources, wrong) if picture else []}
+    both = moved_wiring(plan)
+    if both is not None and not plan.connections:
+        rows = []
+    return {"rows": rows, "picture": picture, "wires": _wires(plan, sources, wrong) if picture else [], "both": both}
 
 
 def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]) -> list[dict[str, Json]]:

@@ -32,7 +32,14 @@ from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.circuits.connector_names import wire_name
 from robosmi.transformations.queries.plans.plan import target_of
-from robosmi.transformations.queries.plans.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
+from robosmi.transformations.queries.plans.port_pins import (
+    UNBOUND,
+    looks_up_ports,
+    number_name,
+    port_literals,
+    source_name,
+    table_is_declared,
+)  # fmt: skip
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes
@@ -189,12 +196,12 @@ def port_table(plan: migration.MigrationPlan) -> PortPins | None:
     if not looks_up_ports(plan) or table_is_declared(plan):
         return None
     texts = port_literals(plan)[1]
-    called = {b.sourcePin: f": {b.name}" for b in plan.portBindings if b.sourcePin in texts and b.name != f"P{b.sourcePin}"}
+    called = {b.sourcePin: f": {b.name}" for b in plan.portBindings if b.sourcePin in texts and b.name != source_name(b)}
     count = max([_PORTS, *(number + 1 for number in texts)])
     return PortPins(
         UNBOUND,
         [texts.get(number, UNBOUND) for number in range(count)],
-        [f"P{number}{called.get(number, '')}" for number in range(count)],
+        [f"{number_name(plan.source, number)}{called.get(number, '')}" for number in range(count)],
     )
 
 

@@ -15,11 +15,12 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, result_in_words, task_place
 from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
-from robosmi.transformations.queries.plans.bus_pins import bus_pins
 from robosmi.transformations.queries.plans.choices import reason
+from robosmi.transformations.queries.plans.moved_wires import moved_wiring
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
 from robosmi.transformations.queries.plans.port_pins import bound_pin, source_name
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
@@ -48,7 +49,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     return {
         "name": plan.name,
         "called": called(plan),
-        "source": plan.source.name if plan.source else "its platform",
+        "source": _source(plan),
         "board": plan.board.title if plan.board else "the target",
         "verdicts": [_said(f, plan) for f in verdicts],
         "drawn": DRAWN_RULES,
@@ -63,7 +64,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         ],
         "in_tasks": any(_is_task(finding, tasks) for finding in plan.findings),
         "wiring": [_wire(c, plan) for c in plan.connections],
-        "buses": bus_pins(plan),
+        "both": moved_wiring(plan),
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),
         "kept": _kept_numbers(plan),
@@ -75,6 +76,14 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "more_differences": differences[_DIFFERENCES:],
         "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
+
+
+def _source(plan: migration.MigrationPlan) -> str:
+    """Where a program comes from: its board, if its platform stays, else its platform."""
+    boards = [each.board for each in plan.source.boardMappings if each.board is not None] if plan.source is not None else []
+    if retains_platform(plan) and boards:
+        return str(boards[0].title)
+    return str(plan.source.name) if plan.source is not None else "its platform"
 
 
 def _kept_numbers(plan: migration.MigrationPlan) -> list[dict[str, str]]:

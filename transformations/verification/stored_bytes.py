@@ -30,7 +30,8 @@ def stored_events(trace: PinTrace) -> list[ActivityEvent]:
     done_us = 0.0
     for at_us, address, byte in trace.stored:
         done_us = max(at_us, done_us + _BYTE_US) if found else at_us
-        told = f"byte {byte} at address {address % trace.store_bytes}"
+        place = address % trace.store_bytes if trace.store_bytes else address
+        told = f"byte {byte} at address {place}"
         found.append(ActivityEvent(at_us, LINE, (told,), vague_us=done_us - at_us))
     return found
 

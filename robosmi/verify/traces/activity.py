@@ -16,7 +16,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.verify.simulation import ConsoleByte, PinTrace
-from robosmi.verify.traces.pulses import FEWEST, Pulse, pulses_of, same_wave, wave_parts
+from robosmi.verify.traces.pulses import FEWEST, SERVO_PERIOD_US, SERVO_WIDTH_US, Pulse, pulses_of, same_wave, wave_parts
 from robosmi.verify.traces.servo_widths import servo_widths
 
 LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
@@ -45,8 +45,6 @@ class Sight(Struct, frozen=True):
 SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0))
 """Several resolutions, since a pause may be just below any limit on one side and just above it on the other."""
 
-_SERVO_PERIOD_US = (12_000.0, 30_000.0)
-_SERVO_WIDTH_US = (300.0, 3_000.0)
 _SILENCE_US = 200_000.0
 _CLEAR = 1.2
 """A pause is clearly longer or shorter than another if their ratio exceeds this factor."""
@@ -204,17 +202,17 @@ def _edges(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activit
 
 
 def _is_servo_pulse(pulse: Pulse) -> bool:
-    return pulse.hz == 0 and _SERVO_WIDTH_US[0] <= pulse.end - pulse.begin <= _SERVO_WIDTH_US[1]
+    return pulse.hz == 0 and SERVO_WIDTH_US[0] <= pulse.end - pulse.begin <= SERVO_WIDTH_US[1]
 
 
 def _is_frames(pulses: Sequence[Pulse]) -> bool:
     """Whether pulses are servo frames, judged by their widths and distances; the last one may be cut off."""
     periods = [after.begin - before.begin for before, after in pairwise(pulses)]
-    whole = pulses[:-1] if len(pulses) > 2 and pulses[-1].end - pulses[-1].begin < _SERVO_WIDTH_US[0] else pulses
+    whole = pulses[:-1] if len(pulses) > 2 and pulses[-1].end - pulses[-1].begin < SERVO_WIDTH_US[0] else pulses
     return (
         bool(periods)
         and all(_is_servo_pulse(pulse) for pulse in whole)
-        and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]
+        and SERVO_PERIOD_US[0] <= median(periods) <= SERVO_PERIOD_US[1]
     )
 
 

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 from statistics import median
@@ -27,6 +28,8 @@ _FAST_US = 200.0
 _FAST_AHEAD = 20
 _STRETCHED = 2.2
 TONE_DUTY = (0.4, 0.6)
+SERVO_PERIOD_US, SERVO_WIDTH_US = (12_000.0, 30_000.0), (300.0, 3_000.0)
+"""Between these are the periods of servo frames, and the widths of their pulses."""
 _APART, _DELAYED_US = 3, 100.0
 """A pulse stands apart from a tone after so many of its periods, and is longer than its pulses if it is longer than they become
 by an interrupt."""
@@ -48,7 +51,7 @@ class Pulse(NamedTuple):
 def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
     """The high times and timer waves of a pin in order of time; high times within a wave are not listed separately.
 
-    A tone of a timer with so few periods that its edges would be no wave is listed as its high times.
+    A tone of a timer with so few periods that its edges would be no wave is listed as its high times; so are frames of a servo.
     """
     waves: list[Pulse] = []
     begun: tuple[float, float, float] | None = None
@@ -82,18 +85,39 @@ def few_periods(trace: PinTrace, pin: str) -> list[Pulse]:
 
 
 def _high_times(waves: Sequence[Pulse], number: int) -> list[Pulse]:
-    """A timer's wave as its high times if it is a tone of a few periods and no part of a wave that changes; else the wave.
+    """A timer's wave as its high times if they are frames of a servo, or a tone of a few periods that is no part of a wave that
+    changes; else the wave.
 
     A timer begins a tone with the half of a period that is low.
     """
     wave = waves[number]
     period = 1e6 / wave.hz
+    if _is_servo(wave):
+        return _servo_frames(waves, number)
     beside = (*waves[max(0, number - 1) : number], *waves[number + 1 : number + 2])
     joined = any(other.begin - wave.end < period and wave.begin - other.end < period for other in beside)
     if joined or wave.duty != 0.5 or wave.end - wave.begin >= FEWEST * period:
         return [wave]
     ups = [wave.begin + (turn + 0.5) * period for turn in range(FEWEST)]
     return [Pulse(up, min(up + period / 2, wave.end), barely=up + period / 2 > wave.end) for up in ups if up < wave.end]
+
+
+def _is_servo(wave: Pulse) -> bool:
+    period = 1e6 / wave.hz
+    return SERVO_PERIOD_US[0] <= period <= SERVO_PERIOD_US[1] and SERVO_WIDTH_US[0] <= period * wave.duty <= SERVO_WIDTH_US[1]
+
+
+def _servo_frames(waves: Sequence[Pulse], number: int) -> list[Pulse]:
+    """The frames of a servo that a timer makes; another width counts from the next frame on, since the timer runs on."""
+    wave, first = waves[number], number
+    period = 1e6 / wave.hz
+    while first and waves[first - 1].end >= waves[first].begin and abs(waves[first - 1].hz - wave.hz) <= 0.01 * wave.hz:
+        first -= 1
+    origin = waves[first].begin
+    last = number + 1 == len(waves) or waves[number + 1].begin > wave.end
+    turns = range(math.ceil((wave.begin - origin) / period), math.ceil((wave.end - origin) / period))
+    ends = [(origin + turn * period, origin + (turn + wave.duty) * period) for turn in turns]
+    return [Pulse(up, min(down, wave.end) if last else down, barely=last and down > wave.end) for up, down in ends]
 
 
 def same_wave(one: Pulse, other: Pulse) -> bool:

@@ -61,6 +61,46 @@ class Converter(Struct, frozen=True):
     left: int
 
 
+class PwmTimer(Struct, frozen=True):
+    """A timer that drives pins.
+
+    Attributes:
+        registers: what a register does -> its name.
+        begin: what the core writes into the two control registers before a sketch begins.
+        mode_mask: the mode bits of the second control register, moved down by three; those of the first are its two lowest.
+        outputs: compare register -> its pin, and the lower one of the two bits of the first control register that connect it.
+        modes: value of the mode bits -> the top (0: in the register `top`) and how often the counter passes it in a period.
+        prescalers: divisor of the clock by the clock select bits; 0 for a stopped or external clock.
+        interrupts: how the names of its interrupt vectors begin.
+    """
+
+    registers: Mapping[str, str]
+    begin: tuple[int, int]
+    mode_mask: int
+    outputs: Mapping[str, tuple[str, int]]
+    modes: Mapping[int, tuple[int, int]]
+    prescalers: Sequence[int]
+    interrupts: str
+
+
+class Sleep(Struct, frozen=True):
+    """The calls that sleep.
+
+    Attributes:
+        header: declares them.
+        calls: all of them.
+        sleeps: those that sleep at once.
+        select: the one that chooses the mode.
+        idle: the mode that every interrupt ends; the one without a choice, too.
+    """
+
+    header: str
+    calls: Sequence[str]
+    sleeps: Sequence[str]
+    select: str
+    idle: str
+
+
 class AvrBits(Struct, frozen=True):
     """The facts of the file."""
 
@@ -69,6 +109,8 @@ class AvrBits(Struct, frozen=True):
     watchdog: Mapping[str, int]
     pin_changes: Mapping[str, PinChanges]
     converter: Converter
+    pwm: Mapping[str, PwmTimer]
+    sleep: Sleep
 
     def value(self, name: str) -> int | None:
         """The number that a name stands for: a bit of a register, or a constant such as B0101; None for any other name."""
@@ -85,4 +127,4 @@ class AvrBits(Struct, frozen=True):
 @cache
 def avr_bits() -> AvrBits:
     """The facts."""
-    return convert(read_data(resources.find("platform_repo", "arduino/avr_bits.toml")), AvrBits)
+    return convert(read_data(resources.find("platform_repo", "arduino/avr_bits.toml")), AvrBits, strict=False)

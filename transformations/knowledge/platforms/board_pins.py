@@ -26,6 +26,7 @@ class BoardPins(Struct, frozen=True):
         channels: channel of the converter -> number of its pin.
         interrupts: number of an interrupt -> number of its pin.
         ports: name of a pin on the microcontroller (`PB5`) -> number of the pin.
+        clock_hz: the clock of its microcontroller; 0 if it is not known.
     """
 
     board: str
@@ -34,6 +35,7 @@ class BoardPins(Struct, frozen=True):
     channels: Mapping[int, int]
     interrupts: Mapping[int, int]
     ports: Mapping[str, int] = {}
+    clock_hz: int = 0
 
     @property
     def count(self) -> int:
@@ -74,4 +76,5 @@ def board_pins(mappings: Iterable[platform.BoardMapping]) -> BoardPins | None:
             if name.pin is not None and name.interrupt >= 0 and name.pin.label in numbers
         },
         {str(pin.port): numbers[pin.label] for pin in pins if pin.port},
+        int(mapping.board.clockHertz),
     )

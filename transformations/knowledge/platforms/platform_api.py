@@ -53,6 +53,10 @@ _PORTS = 32
 """Number of ports if the platform states none: the bits of a word."""
 
 
+_PREFIX = "P"
+"""What stands in front of a port's number if the platform states nothing."""
+
+
 class ApiIndex:
     """The API of one platform.
 
@@ -118,13 +122,19 @@ class ApiIndex:
 
     def port_name(self, number: int) -> str:
         """What a port is called by its number alone."""
-        return self.board.labels.get(number, f"D{number}") if self.board is not None else f"P{number}"
+        return self.board.labels.get(number, f"D{number}") if self.board is not None else f"{self._port_prefix}{number}"
 
     def port_number(self, name: str) -> int | None:
         """The number of a port that a person names by it; None for another name."""
         if self.board is not None:
             return self.board.names.get(name)
-        return int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
+        digits = name.removeprefix(self._port_prefix)
+        return int(digits) if name.startswith(self._port_prefix) and digits.isdecimal() else None
+
+    @property
+    def _port_prefix(self) -> str:
+        """What stands in front of a port's number where no board names its pins."""
+        return str(self.settings.get("ports", {}).get("prefix", _PREFIX))
 
     @cached_property
     def pin_constants(self) -> Mapping[str, int]:

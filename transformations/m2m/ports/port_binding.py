@@ -194,7 +194,7 @@ def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: 
     role = _role(port, facts.get("roles", {}), api)
     names = [argument.parameter.name for argument in given]
     usual = tone_kinds(port.uses, facts.get("tones", {})) or _usual(port, facts.get("usual", {}))
-    own = facts.get("own", {}).get(f"P{port.pin}", "")
+    own = facts.get("own", {}).get(api.port_name(port.pin), "") if port.pin is not None else ""
     return Seat(binding, _words(port, api), names, siblings, role, usual, _is_split(port, split), port.uses, own)
 
 
@@ -308,7 +308,7 @@ def _on_board(
     taken: set[int],
 ) -> None:
     """Bind a port that is wired on the source board to its counterpart on the target board, if there is one."""
-    known = api.settings.get("ports", {}).get("board", {}).get(f"P{port.pin}") if port.pin is not None else None
+    known = api.settings.get("ports", {}).get("board", {}).get(api.port_name(port.pin)) if port.pin is not None else None
     if known is None or (port.origin != "convention" and any(use.function not in known["functions"] for use in port.uses)):
         return
     binding.what = binding.what or str(known["what"])

@@ -1,45 +1,92 @@
 """Writes and reads of port registers become calls for the pins that their bits are bound to, one for each bit.
 
 A statement changes only if all its pins are bound. What it does with other bits of the register is nothing that the program uses.
+A value that calls something, or reads a register itself, is computed once.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.ports.port_statements import (
-    CHANGE,
-    CONVERT,
     HIGH,
+    HIGH_IF,
     INPUT,
+    IS_CLEAR,
+    IS_SET,
+    LEVEL,
     LOW,
+    LOW_IF,
     OUTPUT,
     PULL_UP,
     READ,
     TOGGLE,
+    TOGGLE_IF,
     VALUE,
+    WAIT_CLEAR,
+    WAIT_SET,
     PinStep,
     PortStatement,
-    idiom_statements,
+    is_pure,
     port_statements,
 )  # fmt: skip
+from robosmi.transformations.queries.ports.register_idioms import CHANGE, CONVERT, idiom_statements
+from robosmi.transformations.queries.ports.register_values import register_value
+from robosmi.transformations.queries.ports.timer_outputs import ATTACH, PULSE, PWM
 
 RULE = "port-register"
 _CALLS = {
     HIGH: "digitalWrite({pin}, HIGH)", LOW: "digitalWrite({pin}, LOW)", TOGGLE: "digitalWrite({pin}, !digitalRead({pin}))",
     OUTPUT: "pinMode({pin}, OUTPUT)", INPUT: "pinMode({pin}, INPUT)", PULL_UP: "pinMode({pin}, INPUT_PULLUP)",
     CHANGE: "attachInterrupt(digitalPinToInterrupt({pin}), {handler}, CHANGE)", CONVERT: "analogRead({pin})",
-    VALUE: "digitalWrite({pin}, ({value}) >> {bit} & 1)", READ: "(digitalRead({pin}) << {bit})",
+    VALUE: "digitalWrite({pin}, {value} >> {bit} & 1)", LEVEL: "digitalWrite({pin}, {value} ? HIGH : LOW)",
+    HIGH_IF: "if ({value} >> {bit} & 1) digitalWrite({pin}, HIGH)",
+    LOW_IF: "if (!({value} >> {bit} & 1)) digitalWrite({pin}, LOW)",
+    TOGGLE_IF: "if ({value} >> {bit} & 1) digitalWrite({pin}, !digitalRead({pin}))",
+    READ: "(digitalRead({pin}) << {bit})", IS_SET: "digitalRead({pin})", IS_CLEAR: "!digitalRead({pin})",
+    WAIT_SET: "do {} while (!digitalRead({pin}))", WAIT_CLEAR: "do {} while (digitalRead({pin}))",
+    PWM: "analogWrite({pin}, {value})", PULSE: "{handler}.writeMicroseconds({value})",
+    ATTACH: "{handler}.attach({pin}, 200, 3000)",  # any pulse that the library can make
 }  # fmt: skip
+_ONCE = frozenset([HIGH_IF, LOW_IF, TOGGLE_IF])
+"""What is a statement, and no expression."""
+_OF_TIMER = frozenset([PWM, PULSE, ATTACH])
+_SHIFT = re.compile(r"\b_BV(?=\s*\()")
+
+
+class _Change(Struct, frozen=True):
+    """A statement with the bindings and pins of its steps."""
+
+    statement: PortStatement
+    bindings: tuple[migration.PortBinding, ...]
+    literals: tuple[str, ...]
+
+    @property
+    def start(self) -> int:
+        return int(self.statement.element.startOffset)
+
+    @property
+    def end(self) -> int:
+        return int(self.statement.element.endOffset)
+
+    def contains(self, other: _Change) -> bool:
+        """Whether another statement is a part of this one."""
+        inside = self.start <= other.start and other.end <= self.end
+        return inside and self is not other and self.statement.view.unit is other.statement.view.unit
 
 
 def change_registers(
-    views: Sequence[CodeView], bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], same_registers: bool
-) -> None:
+    views: Sequence[CodeView], bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], same_registers: bool,
+    drives_pins: bool,
+) -> None:  # fmt: skip
     """Add the changes of the statements to the bindings of their first pins.
 
     Args:
@@ -48,23 +95,28 @@ def change_registers(
         sources: path of a unit -> its bytes.
         same_registers: whether the target's microcontroller has the registers, too; then only statements change whose pins are
             not at the same bits there.
+        drives_pins: whether analogWrite and servos of the target take the place of timers that drive pins.
     """
     numbers = {int(binding.sourcePin): binding for binding in bindings}
-    for each in (*port_statements(views), *(idiom_statements(views) if not same_registers else ())):
+    found: list[_Change] = []
+    idioms = [] if same_registers else [s for s in idiom_statements(views) if drives_pins or s.steps[0].what not in _OF_TIMER]
+    for each in (*port_statements(views), *idioms):
         bound = [numbers.get(step.number) for step in each.steps]
         pins = [bound_pin(binding) if binding is not None else None for binding in bound]
-        first = bound[0]
-        if first is None or not all(pins):
+        if not all(pins):
             continue
         if same_registers and all(_is_in_place(step, pin, views) for step, pin in zip(each.steps, pins, strict=True)):
             continue
-        literals = [pin_literal(pin) for pin in pins if pin is not None]
-        element = each.element
-        names = ", ".join(str(binding.name) for binding in bound if binding is not None)
-        first.changes.append(
+        literals = tuple(pin_literal(pin) for pin in pins if pin is not None)
+        found.append(_Change(each, tuple(binding for binding in bound if binding is not None), literals))
+    for change in found:
+        if any(other.contains(change) for other in found):
+            continue
+        names = ", ".join(str(binding.name) for binding in change.bindings)
+        change.bindings[0].changes.append(
             migration.TextChange(
-                unit=each.view.unit, startOffset=int(element.startOffset), endOffset=int(element.endOffset),
-                replacement=_text(each, literals, sources), rule=RULE, step=migration.Step.hardware,
+                unit=change.statement.view.unit, startOffset=change.start, endOffset=change.end,
+                replacement=_text(change, found, sources), rule=RULE, step=migration.Step.hardware,
                 reason=f"the bits of the register are {names}",
             )
         )  # fmt: skip
@@ -77,19 +129,55 @@ def _is_in_place(step: PinStep, pin: platform.Pin | None, views: Sequence[CodeVi
     return pin is not None and str(pin.port) == places.get(step.number)
 
 
-def _text(each: PortStatement, literals: Sequence[str], sources: Mapping[str, bytes]) -> str:
-    value = ""
-    if isinstance(each.element, ccode.Assignment) and (right := each.element.right) is not None:
-        data = sources[str(each.view.unit.path)]
-        value = data[int(right.startOffset) : int(right.endOffset)].decode("utf-8", "replace")
-    calls = [
-        _CALLS[step.what]
-        .replace("{pin}", literal)
-        .replace("{bit}", str(step.bit))
-        .replace("{value}", value)
-        .replace("{handler}", each.handler)
-        for step, literal in zip(each.steps, literals, strict=True)
-    ]
-    if isinstance(each.element, ccode.Assignment):
+def _text(change: _Change, changes: Sequence[_Change], sources: Mapping[str, bytes]) -> str:
+    statement = change.statement
+    steps = list(zip(statement.steps, change.literals, strict=True))
+    if all(step.what in _OF_TIMER for step, _ in steps):
+        return _of_timer(change, _value(statement.steps[0].value, change, changes, sources))
+    given = {id(step.value): step.value for step in statement.steps if step.value is not None}
+    once = any(step.what in _ONCE for step, _ in steps) or not all(is_pure(value, statement.view) for value in given.values())
+    if not once or len(given) != 1 or all(step.what == LEVEL for step, _ in steps):
+        calls = [_call(step, literal, statement, f"({_value(step.value, change, changes, sources)})") for step, literal in steps]
+        if _reads(statement):
+            return calls[0] if len(calls) == 1 else f"({' | '.join(calls)})"
         return ", ".join(calls)
-    return calls[0] if len(calls) == 1 else f"({' | '.join(calls)})"
+    inside = " ".join(f"{_call(step, literal, statement, 'bits')};" for step, literal in steps)
+    [value] = given.values()
+    return f"[](uint8_t bits) {{ {inside} }}({_value(value, change, changes, sources)})"
+
+
+def _of_timer(change: _Change, text: str) -> str:
+    """What takes the place of a statement of a timer that drives pins."""
+    statement, scale = change.statement, change.statement.scale
+    value = register_value(statement.steps[0].value, statement.view.values)
+    if value is not None:
+        text = str(round(value * scale))
+    elif scale != 1:
+        factor = f"{scale.numerator}UL * " if scale.numerator != 1 else ""
+        text = f"{factor}({text}) / {scale.denominator}"
+    called = statement.handler.split(",")
+    filled = zip(statement.steps, change.literals, called, strict=True)
+    return ", ".join(_call(step, literal, replace(statement, handler=name), text) for step, literal, name in filled)
+
+
+def _reads(statement: PortStatement) -> bool:
+    """Whether a statement is an expression that reads pins."""
+    return all(step.what in (READ, CONVERT) for step in statement.steps)
+
+
+def _call(step: PinStep, literal: str, statement: PortStatement, value: str) -> str:
+    filled = {"pin": literal, "bit": str(step.bit), "handler": statement.handler, "value": value}
+    return re.sub(r"\{(pin|bit|handler|value)\}", lambda found: filled[found[1]], _CALLS[step.what])
+
+
+def _value(value: ccode.Expression | None, change: _Change, changes: Sequence[_Change], sources: Mapping[str, bytes]) -> str:
+    """The text of a value, in which registers are read by their pins."""
+    if value is None:
+        return ""
+    data, start, end = sources[str(change.statement.view.unit.path)], int(value.startOffset), int(value.endOffset)
+    inner = [c for c in changes if change.contains(c) and start <= c.start and c.end <= end]
+    text, at = "", start
+    for each in sorted((c for c in inner if not any(o.contains(c) for o in inner)), key=lambda c: c.start):
+        text += data[at : each.start].decode("utf-8", "replace") + _text(each, changes, sources)
+        at = each.end
+    return _SHIFT.sub("bit", text + data[at:end].decode("utf-8", "replace"))

@@ -5,7 +5,7 @@ What it does not give is a place: a second frequency, another reference, and vol
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents
@@ -13,6 +13,7 @@ from robosmi.transformations.knowledge.replacements import inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, setup_start
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
+from robosmi.transformations.queries.ports.timer_outputs import timer_outputs
 
 READ, WRITE, REFERENCE = "analogRead", "analogWrite", "analogReference"
 _ANY = "*"
@@ -35,14 +36,13 @@ def analogue(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     added: list[tuple[str, str]] = []
     if named[READ] and sketch.facts.read_bits:
         added.append((sketch.facts.read_bits, "analogRead has the full scale of its own board"))
-    if named[WRITE] and sketch.facts.pwm_frequency:
-        of_call = {id(call): _frequency(sketch, view, call) for view, call in named[WRITE]}
-        wanted = min(of_call.values())
+    if sketch.facts.pwm_frequency and (frequencies := _frequencies(sketch, named[WRITE])):
+        wanted = min(hz for _, hz in frequencies)
         text = sketch.facts.pwm_frequency.replace("{hz}", str(wanted))
         added.append((text, f"analogWrite has {wanted} Hz on its own board"))
-        for _, call in named[WRITE]:
-            if of_call[id(call)] != wanted:
-                yield sketch.place("pwm_frequency", call, f"{of_call[id(call)]} Hz")
+        for written, hz in frequencies:
+            if hz != wanted:
+                yield sketch.place("pwm_frequency", written, f"{hz} Hz")
     start = setup_start(sketch.views, sketch.sources) if added else None
     if start is not None:
         _, setup, offset = start
@@ -54,9 +54,20 @@ def analogue(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
         yield from _volts(sketch)
 
 
-def _frequency(sketch: MovedSketch, view: CodeView, call: ccode.Call) -> int:
+def _frequencies(sketch: MovedSketch, calls: Sequence[tuple[CodeView, ccode.Call]]) -> list[tuple[ccode.Expression, int]]:
+    """The places that make pulses on the source board, with their frequencies in Hz."""
+    timers = timer_outputs(sketch.views)
+    clocks = {**sketch.facts.pwm_clocks, **{timer.timer: timer.clocks for timer in timers}}
+    found: list[tuple[ccode.Expression, int]] = [(call, _frequency(sketch, view, call, clocks)) for view, call in calls]
+    for timer in timers:
+        hz = round(sketch.clock_hz / timer.clocks)
+        found += [(write.element, hz) for write in timer.writes if not timer.servos]
+    return found
+
+
+def _frequency(sketch: MovedSketch, view: CodeView, call: ccode.Call, clocks: Mapping[str, int]) -> int:
     """The frequency of a pin on the source board, in Hz; that of most pins if the text does not say which it is."""
-    clocks, source = sketch.facts.pwm_clocks, sketch.move.source
+    source = sketch.move.source
     numbers = [value.number for value in view.values.of(call.arguments[0])] if call.arguments else []
     labels = {source.numbers.get(number, "") for number in numbers if number is not None}
     timers = {source.timers.get(label, "") for label in labels}

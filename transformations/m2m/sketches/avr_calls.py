@@ -1,6 +1,7 @@
 """Names of avr-libc get the functions that do the same on the target: waits, interrupts on and off, atomic blocks, the watchdog.
 
-A header goes when all that it is for is replaced. Each name is a place of its own; one that has no counterpart stays a task.
+Idle sleep becomes a wait (data sheet DS40002061, section 10). A header goes when all that it is for is replaced. Each name is a
+place of its own; one that has no counterpart stays a task.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platforms.avr_bits import avr_bits
 from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.m2m.sketches.register_idioms import without
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
 
@@ -19,6 +21,9 @@ _RULE = "avr-libc"
 _ATOMIC = "for (bool atomic = (noInterrupts(), true); atomic; interrupts(), atomic = false)"
 """A block without interrupts; it must end at its end."""
 _WAIT = "_delay_ms"
+_IDLE_RULE = "idle-sleep"
+_IDLE_REASON = "idle sleep ends with the next interrupt, within a millisecond"
+_IDLE_WAIT = "delay(1);"
 
 
 def avr_calls(sketch: MovedSketch) -> Iterator[SketchEdit]:
@@ -88,3 +93,25 @@ def _ends_at_its_end(view: CodeView, use: ccode.MacroUse) -> bool:
     block = next((each for each in view.of_kind(ccode.For) if int(each.startOffset) == int(use.startOffset)), None)
     leaving = (ccode.Return, ccode.Break, ccode.Continue, ccode.Goto)
     return block is not None and not any(isinstance(each, leaving) for each in all_contents(block))
+
+
+def sleep_modes(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of idle sleep, which any interrupt ends and that of the core's clock after 1.024 ms at most; and of its header.
+
+    A sketch that chooses a deeper mode sleeps until a pin wakes it, and stops its clock: its calls stay, and are places.
+    """
+    facts = avr_bits().sleep
+    calls = [(view, call) for view in sketch.views for call in view.of_kind(ccode.Call) if call.calleeName in facts.calls]
+    chosen = [call.arguments[0] for _, call in calls if call.calleeName == facts.select and call.arguments]
+    idle = all(isinstance(mode, ccode.NameReference) and mode.name == facts.idle for mode in chosen)
+    own_statements = all(isinstance(call.eContainer(), ccode.ExpressionStatement) for _, call in calls)
+    if not calls or not idle or not own_statements or sketch.move.source.architecture == sketch.move.target.architecture:
+        return
+    for view, call in calls:
+        text = _IDLE_WAIT if call.calleeName in facts.sleeps else ""
+        yield without(sketch, view, call, _IDLE_RULE, _IDLE_REASON, KIND, text)
+    for view in sketch.views:
+        for include in view.unit.includes:
+            if include.header == facts.header:
+                gone = (Replacement(int(include.startOffset), int(include.endOffset), ""),)
+                yield SketchEdit(include, _IDLE_RULE, "all that it is for is replaced", gone, HEADERS, (int(include.line),))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.expression_type import ValueType, element_type, type_of
 
@@ -17,6 +17,7 @@ KIND = "progmem"
 _RULE = "flash-read"
 _WORDS = frozenset(["pgm_read_word", "pgm_read_word_near"])
 _NUMBERS = frozenset(["int", "unsigned", "unsigned int", "word", "int16_t", "uint16_t"])
+_SIGNED = frozenset(["int", "int16_t"])
 _POINTER = "pgm_read_ptr"
 
 
@@ -32,9 +33,17 @@ def flash_reads(sketch: MovedSketch) -> Iterator[SketchEdit]:
             kind, start, name = _read(call), int(call.startOffset), str(call.calleeName)
             line = int(call.line)
             done[line] = done.get(line, True)
-            if kind is not None and not kind.depth and kind.base in _NUMBERS:
-                continue
             cast = call.eContainer()
+            if kind is not None and not kind.depth and kind.base in _NUMBERS:
+                if (
+                    kind.base in _SIGNED
+                    and isinstance(cast, ccode.Cast)
+                    and cast.target is not None
+                    and cast.target.spelling == "int"
+                ):
+                    sign = inserted(start, f"(int{sketch.move.source.int_bits}_t)")
+                    yield SketchEdit(call, _RULE, "the number keeps its sign", (sign,))
+                continue
             written = data[start : start + len(name)].decode("utf-8", "replace") == name
             to_pointer = isinstance(cast, ccode.Cast) and cast.target is not None and "*" in str(cast.target.spelling)
             if kind is None or kind.depth != 1 or kind.dimensions or not to_pointer or not written:

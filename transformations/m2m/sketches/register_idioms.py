@@ -10,13 +10,14 @@ import re
 from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.ports.port_statements import change_handler, converter_reads, pin_changes
+from robosmi.transformations.queries.ports.register_idioms import change_handler, converter_reads, pin_changes
+from robosmi.transformations.queries.ports.timer_outputs import TimerOutputs, timer_outputs
 
 _REST = re.compile(rb"[ \t]*;")
-_RULE = "register-idiom"
+_RULE, _TIMER = "register-idiom", "timer_register"
 
 
 def register_idioms(sketch: MovedSketch) -> Iterator[SketchEdit]:
@@ -39,6 +40,22 @@ def register_idioms(sketch: MovedSketch) -> Iterator[SketchEdit]:
     converted = converter_reads(sketch.views)
     for view, place in converted.rest if converted is not None else ():
         yield without(sketch, view, place, _RULE, "analogRead converts, and waits for it", "adc_register")
+    for timer in timer_outputs(sketch.views) if sketch.facts.pwm_frequency else ():
+        yield from _timer_rest(sketch, timer)
+
+
+def _timer_rest(sketch: MovedSketch, timer: TimerOutputs) -> Iterator[SketchEdit]:
+    """What is left of a timer that drives pins: its settings go, and its servos get objects."""
+    by_servo = "a servo object makes the pulses"
+    reason = by_servo if timer.servos else f"analogWrite drives the pins of {timer.timer}"
+    for view, statement in timer.settings:
+        if timer.attaches is None or statement is not timer.attaches.element:
+            yield without(sketch, view, statement, _RULE, reason, _TIMER)
+    for each in (*timer.writes, *([timer.attaches] if timer.attaches is not None else [])):
+        yield SketchEdit(each.element, _RULE, reason, (), _TIMER, (int(each.element.line),))
+    if timer.attaches is not None:
+        text = "#include <Servo.h>\n" + "".join(f"Servo {name};\n" for name in timer.servos)
+        yield SketchEdit(timer.attaches.element, _RULE, by_servo, (inserted(0, text),))
 
 
 def without(

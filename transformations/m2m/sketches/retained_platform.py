@@ -153,12 +153,11 @@ def place_findings(
     A line may use several registers. It is cured if no name of one is left in it.
     """
     facts = portability_facts(str(plan.source.name)) if plan.source is not None else None
-    registers = {
-        kind: frozenset(facts.registers.get(told.registers, ()))
-        for kind, told in (facts.kinds.items() if facts is not None else ())
-        if told.registers
-    }
-    left = _unchanged_lines(plan, sources) if any(place.kind in registers for place in places) else {}
+    registers: dict[str, frozenset[str]] = {}
+    if facts is not None:
+        known = facts.registers
+        registers = {kind: frozenset(known.get(told.registers, ())) for kind, told in facts.kinds.items() if told.registers}
+    left = _unchanged_lines(plan, sources) if any(place.kind in (*registers, OF_NAMES) for place in places) else {}
     bound = {
         (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)
         for binding in plan.portBindings
@@ -179,6 +178,8 @@ def place_findings(
         if place.kind in registers:
             names = [word for word in _WORD.findall(left.get(at, "")) if word in registers[place.kind]]
             what = what.replace(place.name, names[0]) if names else ""
+        elif place.kind == OF_NAMES and place.name not in _WORD.findall(left.get(at, place.name)):
+            continue  # a change for pins has replaced it
         elif place.kind in OF_PINS and at in (moved if place.kind == BY_CALL else bound):
             continue
         if what:
@@ -210,6 +211,8 @@ _WORD = re.compile(r"\w+")
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
+OF_NAMES = "avr_libc_call"
+"""The kind of places that are names of avr-libc; some take a register."""
 BY_CALL = "attach_interrupt_number"
 OF_PINS = frozenset(
     {

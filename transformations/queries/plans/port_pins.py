@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from robosmi.errors import PlatformDataError
 from robosmi.metamodels import migration, platform
 from robosmi.query import root_of
 from robosmi.transformations.knowledge.platforms.board_pins import board_pins
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
@@ -32,9 +34,21 @@ def source_name(binding: migration.PortBinding) -> str:
     """What the port of a binding is called by its number on the source board; empty if it has none."""
     if binding.sourcePin < 0:
         return ""
-    source = root_of(binding)
-    board = board_pins(source.source.boardMappings) if isinstance(source, migration.MigrationPlan) and source.source else None
-    return board.labels.get(int(binding.sourcePin), "") if board is not None else f"P{binding.sourcePin}"
+    plan = root_of(binding)
+    source = plan.source if isinstance(plan, migration.MigrationPlan) else None
+    board = board_pins(source.boardMappings) if source is not None else None
+    return board.labels.get(int(binding.sourcePin), "") if board is not None else number_name(source, int(binding.sourcePin))
+
+
+def number_name(source: platform.Platform | None, number: int) -> str:
+    """What a port of a platform whose programs name no board is called by its number.
+
+    Where the platform's data is not at hand, as with a plan from elsewhere, it is called as on most.
+    """
+    try:
+        return ApiIndex.load(str(source.name)).port_name(number) if source is not None else f"P{number}"
+    except PlatformDataError:
+        return f"P{number}"
 
 
 def port_text(binding: migration.PortBinding) -> str | None:

@@ -15,7 +15,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind, ancestor_of_kind, root_of
 from robosmi.transformations.knowledge.platforms.board_pins import BoardPins, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
+from robosmi.transformations.knowledge.platforms.portability_facts import MoveFacts, portability_facts
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 
 AS_WRITTEN = "port-as-written"
@@ -110,8 +110,14 @@ def ignores_unwired(plan: migration.MigrationPlan) -> bool:
     """
     if not retains_platform(plan) or plan.source is None:
         return True
-    facts, chip = portability_facts(str(plan.source.name)), plan.board.microcontroller if plan.board is not None else None
-    return chip is not None and facts is not None and UNWIRED in facts.move_to(str(chip.name), str(chip.architecture)).same
+    return UNWIRED in move_facts(plan).same
+
+
+def move_facts(plan: migration.MigrationPlan) -> MoveFacts:
+    """What is different for a program whose platform stays on the board of a plan."""
+    facts = portability_facts(str(plan.source.name)) if plan.source is not None else None
+    chip = plan.board.microcontroller if plan.board is not None else None
+    return facts.move_to(str(chip.name), str(chip.architecture)) if facts is not None and chip is not None else MoveFacts()
 
 
 def retained_pins(plan: object) -> RetainedPins | None:

@@ -19,8 +19,8 @@ from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_number, p
 from robosmi.transformations.queries.flows.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.port_masks import PortMasks
-from robosmi.transformations.queries.ports.port_statements import port_uses
 from robosmi.transformations.queries.ports.register_bits import register_bits
+from robosmi.transformations.queries.ports.register_idioms import port_uses
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Value, Values
 
@@ -328,7 +328,7 @@ def role_name(use: PinUse, views: Sequence[CodeView]) -> str:
         if function is not None and function.header:
             words = "".join(c if c.isalnum() else " " for c in use.expression).split()
             return f"{function.header.removesuffix('.h')}.{'_'.join(word.lower() for word in words)}"
-    return f"P{use.pin}"
+    return views[0].api.port_name(use.pin) if views and use.pin is not None else ""
 
 
 def convention_of(port: Port, source: platform.Platform) -> platform.PinConvention | None:

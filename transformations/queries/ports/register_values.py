@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.avr_bits import avr_bits
-from robosmi.transformations.queries.macros.constant_text import calculate
+from robosmi.transformations.queries.macros.constant_text import calculate, macro_number
+from robosmi.transformations.queries.macros.expansion import MacroTexts
 from robosmi.transformations.queries.values import Values
 
 _SHIFTS = frozenset(["_BV", "bit"])
+_SHIFT = re.compile(r"\b(?:_BV|bit)\s*\(\s*(\w+)\s*\)")
 
 
 def register_value(expression: ccode.Expression | None, values: Values) -> int | None:
@@ -30,5 +34,15 @@ def register_value(expression: ccode.Expression | None, values: Values) -> int |
         if (known := avr_bits().value(name)) is not None and name not in values.macros:
             return known
         found = values.of(expression)
-        return found[0].number if len(found) == 1 else None
+        if len(found) == 1 and found[0].number is not None:
+            return found[0].number
+        text = macro_text(name, values)
+        return macro_number(_SHIFT.sub(r"(1<<\1)", text), MacroTexts({}), avr_bits().value) if text is not None else None
     return None
+
+
+def macro_text(name: str, values: Values) -> str | None:
+    """What a macro of the program without parameters stands for, expanded; None for a name that is none."""
+    if name not in values.macros:
+        return None
+    return MacroTexts(values.macros).expanded(name)

@@ -175,7 +175,7 @@ def test_the_pins_of_buses_stand_in_the_report_and_those_that_move_are_checks(
     target: str, expected: dict[str, tuple[str, str]], tmp_path: Path
 ) -> None:
     outcome = migrated("buses", tmp_path, target=target)
-    rows = re.findall(r"\| (\w+) \| (\w+) \| (\w+) \| (\w+) \|\n", text(tmp_path, "buses/MIGRATION.md"))
+    rows = re.findall(r"\| (\w+) (\w+) \|  \| (\w+) \| (\w+) \|", text(tmp_path, "buses/MIGRATION.md"))
     found = {signal: (old, new) for _, signal, old, new in rows}
     assert {signal: found[signal] for signal in expected} == expected
     checks = " ".join(item["message"] for item in outcome.result["plan"]["work"]["check"]["items"])
@@ -183,6 +183,20 @@ def test_the_pins_of_buses_stand_in_the_report_and_those_that_move_are_checks(
         if signal in expected:
             old, new = expected[signal]
             assert (bus in checks) == (old != new)
+
+
+def test_the_old_and_the_new_wiring_stand_side_by_side(tmp_path: Path) -> None:
+    migrated("buses", tmp_path / "buses")
+    migrated("tabs", tmp_path / "tabs", "--bind", "LAMP=GP9")
+    boards = r"\| signal \| part \| Arduino Uno \(5 V\) \| Raspberry Pi Pico \(3.3 V\) \|"
+    for name, row in (("tabs", "| LAMP |  | D6 | GP9 | moves |"), ("buses", "| Wire SDA |  | A4 | GP4 | moves |")):
+        report = text(tmp_path / name, f"{name}/MIGRATION.md")
+        assert re.search(boards, report)
+        assert row in report
+        run("report", tmp_path / name, "-o", tmp_path / f"{name}.html")
+        page = (tmp_path / f"{name}.html").read_text(encoding="utf-8")
+        cells = row.strip("| ").replace(" |  | ", " | ").split(" | ")
+        assert all(f"<td>{cell}</td>" in page for cell in cells)
 
 
 def test_ports_of_a_sketch_are_not_proposed_on_pins_of_its_serial_ports(tmp_path: Path) -> None:
