@@ -81,6 +81,7 @@ _CONTENT = {
     ("engine", "simavr"): "verification.engines.simavr:Simavr",
     ("engine", "avr8js"): "verification.engines.avr8js:Avr8js",
     ("engine", "rp2040js"): "verification.engines.rp2040js:Rp2040js",
+    ("engine", "api"): "verification.engines.api:Api",
     ("device", "answering_line"): "verification.devices.serial_line:AnsweringLine",
     ("device", "capacitor"): "verification.devices.capacitor:Capacitor",
     ("device", "dht22"): "verification.devices.dht22:Dht22",

@@ -198,10 +198,11 @@ class Store:
             "finished": datetime.now(UTC).isoformat(timespec="milliseconds"), "labels": json_written(facts["labels"]),
         }  # fmt: skip
         with self._faults(), self._engine.begin() as db:
-            if only_if_new and db.execute(select(PROGRAMS.c.id).where(PROGRAMS.c.id == result.id)).first() is not None:
-                db.execute(update(PROGRAMS).where(PROGRAMS.c.id == result.id).values(listed=True))
-                return
-            self._remove(db, result.id)
+            if db.execute(select(PROGRAMS.c.id).where(PROGRAMS.c.id == result.id)).first() is not None:
+                if only_if_new:
+                    db.execute(update(PROGRAMS).where(PROGRAMS.c.id == result.id).values(listed=True))
+                    return
+                self._remove(db, result.id)
             db.execute(insert(PROGRAMS), row)
             self._add(db, FILES.name, result.id, [{"path": path, "digest": each} for path, each in result.files.items()])
             steps = [

@@ -176,6 +176,30 @@ def stored(folder: Path, what: str) -> str:
     return read_own(place_of(folder, what), _KEPT[what]).decode()
 
 
+def note_place(folder: Path) -> None:
+    """Note where a folder is, so that what is kept of it is found after it was moved (`stored_before_move`).
+
+    Raises:
+        SourceError: there is no place for the note.
+    """
+    _store(_place(_identity(os.stat(folder)).decode(), "folder"), os.path.realpath(folder))
+
+
+def stored_before_move(folder: Path, what: str) -> str:
+    """What `store` kept of a folder at its former place, from where it was moved: nothing is there any more.
+
+    The number that the file system gives a folder stays when it is moved, and not when it is copied or sent.
+
+    Raises:
+        OSError: nothing was kept by this user, the folder was not moved, or it cannot be read.
+        ValueError: it is no text.
+    """
+    former = read_own(_place(_identity(os.stat(folder)).decode(), "folder"), RECORD).decode()
+    if os.path.lexists(former):
+        raise FileNotFoundError(former)
+    return stored(Path(former), what)
+
+
 def discard(folder: Path, what: str) -> None:
     """Forget what `store` kept of an output folder."""
     place_of(folder, what).unlink(missing_ok=True)

@@ -3,8 +3,8 @@
 A run that changes files of its output folder first puts what they held into a record among the user's own data. `undo` puts
 it all back (and the project file, where the run wrote a choice there), and the state that it replaces into the record, so that a
 second `undo` takes the first one back. A file that was
-changed since stops it before anything is written. Files that no run has made are never touched. The record belongs to the
-folder where it is: one that was moved or sent has no way back.
+changed since stops it before anything is written. Files that no run has made are never touched. The record is found again after
+the folder was moved within its file system; a copy, or a folder that was sent, has no way back.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from robosmi.files.commit import update
 from robosmi.files.external_files import ExternalFiles, changes as file_changes
 from robosmi.files.files import digest, within
 from robosmi.files.recovery import at_work
-from robosmi.files.run_lock import STATE, place_of, stored
+from robosmi.files.run_lock import STATE, note_place, place_of, stored, stored_before_move
 from robosmi.generate.manifest import NAME as MANIFEST, Manifest
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
@@ -99,7 +99,7 @@ def _amended(folder: Path, files: Mapping[str, list[str | None]], before: Mappin
     A file that a person has changed since the last run keeps its entry, so that `undo` still stops before the edit is lost.
     """
     try:
-        known = as_table(json_of(stored(folder, STATE)))
+        known = as_table(json_of(_record(folder)))
         listed = as_table(known["files"])
         merged = {**listed}
         for name, entry in files.items():
@@ -156,9 +156,24 @@ def undo(folder: Path) -> Undone:
             manifest.note(folder, contents[MANIFEST])
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
         update(folder, contents, removed, places.seen, save_previous(folder, places, contents, removed, put_back))
+        if folder.is_dir():
+            note_place(folder)
     restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
     gone = [str(path) for path, (_, old) in put_back.items() if old is None]
     return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
+
+
+def _record(folder: Path) -> str:
+    """The record of a folder, which may have been moved.
+
+    Raises:
+        OSError: there is none.
+        ValueError: it is no text.
+    """
+    try:
+        return stored(folder, STATE)
+    except FileNotFoundError:
+        return stored_before_move(folder, STATE)
 
 
 def _bytes(path: Path, kind: Kind = SETTINGS) -> bytes | None:
@@ -197,7 +212,7 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
         fix="generate the sketch again with migrate or generate",
     )  # fmt: skip
     try:
-        known = as_table(json_of(stored(folder, STATE)))
+        known = as_table(json_of(_record(folder)))
         files = {name: _pair(entry) for name, entry in as_table(known["files"]).items()}
         before = {name: _unpacked(packed) for name, (packed, _) in files.items()}
         after = {name: written for name, (_, written) in files.items()}
@@ -206,7 +221,7 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
     except FileNotFoundError as error:
         raise SourceError(
             "this folder has no earlier state", location=Location(str(folder)),
-            fix="give the output folder of a run that changed something, in its original place",
+            fix="give the output folder of a run that changed something, and no copy of it",
         ) from error  # fmt: skip
     except (OSError, ValueError, KeyError, TypeError, AttributeError, zlib.error) as error:
         raise damaged from error

@@ -45,6 +45,7 @@ class HostModel(Struct, frozen=True):
         stores: the functions by which programs store bytes that the board keeps without power.
         store_pins: the board's own pins of that memory.
         store: the number of that memory among `devices`, or None.
+        waves_have_edges: whether a wave at a pin with a device comes as changes of the pin, too.
     """
 
     folder: Path
@@ -66,6 +67,7 @@ class HostModel(Struct, frozen=True):
     stores: frozenset[str] = frozenset()
     store_pins: frozenset[str] = frozenset()
     store: int | None = None
+    waves_have_edges: bool = True
 
     @property
     def files(self) -> list[Path]:

@@ -342,8 +342,8 @@ class HostBench(Bench):
         model = program.model
         super().__init__([*model.pins, *model.channels], model.clock_hz)
         self.labels = model.pins
-        self.numbers = {label: number for names in (model.pins, model.channels) for number, label in enumerate(names)}
-        self.channels = frozenset(model.channels)
+        self.numbers = {label: number for number, label in enumerate(model.pins)}
+        self.channels = {label: number for number, label in enumerate(model.channels)}
         self.commands: list[bytes] = []
         self.waves: list[Wave] = []
         self.console: list[ConsoleByte] = []
@@ -351,6 +351,7 @@ class HostBench(Bench):
         self.mixed_text_us: list[float] = []
         self.compared: dict[int, tuple[float, float]] = {}
         self._speaker = 0
+        self._waves_have_edges = model.waves_have_edges
         self.tick = 0
         self.next_wake = NEVER
         self._addressed: dict[int, int] = {}  # bus -> address
@@ -452,7 +453,7 @@ class HostBench(Bench):
         """Set the voltage at a channel of the converter."""
         if pin not in self.channels:
             raise UsageError(f"no converter at '{pin}'", fix=f"use one of: {', '.join(sorted(self.channels))}")
-        self._command(_VOLTAGE, self.numbers[pin], round(millivolts))
+        self._command(_VOLTAGE, self.channels[pin], round(millivolts))
 
     def send(self, data: bytes) -> None:
         """Let bytes arrive on the program's console."""
@@ -479,7 +480,9 @@ class HostBench(Bench):
             self.pin_changed(pin, level)
             return 0 if self._reacts(pin, level) else None
         if kind == _WAVE:
-            self.waves.append(Wave(self.now, _one_of(self.labels, a), _finite(b), _finite(c)))
+            self.waves.append(wave := Wave(self.now, _one_of(self.labels, a), _finite(b), _finite(c)))
+            if not self._waves_have_edges:
+                self.wave_changed(wave.pin, wave.hz, wave.duty)
             return None
         if kind == _CONSOLE:
             if self.console and self._speaker != b and self.now - self.console[-1].at_us < _TOGETHER_US:

@@ -40,6 +40,7 @@
       return false;
     }
     const known = run && run.compared && JSON.stringify(moved()) === JSON.stringify(answer.inputs.filter(i => i.points.length).map(({ title, setting, points }) => ({ title, setting, points }))) ? run : null;
+    if (answer.compared && run) answer.seconds = run.seconds; // a comparison runs the original several times
     run = known && !answer.compared ? { ...answer, difference: known.difference, verdict: known.verdict } : answer;
     listCases(answer.cases);
     draw();
@@ -78,6 +79,7 @@
         cell.events = channel.sides[side] || [];
         cell.turns = channel.turns;
         cell.angle = 0;
+        cell.shown = null;
         return cell;
       });
       return element("tr", {}, element("th", { scope: "row" }, `${channel.component} (${channel.port}: ${channel.pins.original} / ${channel.pins.migrated})`), ...cells);

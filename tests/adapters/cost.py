@@ -1,9 +1,9 @@
 """Measures what calls of adapters cost in cycles of an Uno's processor, against plain Arduino code for the same purpose.
 
-`python -m tests.adapters.cost` prints the table. All calls have pins that the compiler knows and are compiled into one program with
-the core; the simulator gives the times of a marked pin, so nothing depends on the machine. The functions are the most used ones of
-the Simple Libraries' utilities (simpletools.h, simpletext.h, servo.h) in the labelled programs, and all others that have one
-pin, as far as Arduino has calls for the same. Where `input` also makes a pin an input, plain code only reads it.
+`python -m tests.adapters.cost` prints the table. All calls have pins that the compiler knows and are compiled into one program
+with the core; the simulator gives the times of a marked pin, so nothing depends on the machine. The functions are the most used
+ones of the Simple Libraries' utilities (simpletools.h, simpletext.h) in the labelled programs, and all others of one pin, as far
+as Arduino has calls for the same. `input` makes a pin an input and reads it; the plain code for it only reads.
 """
 
 from __future__ import annotations

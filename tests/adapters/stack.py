@@ -81,7 +81,8 @@ def parameters(piece: AdapterPiece) -> list[str]:
 def statement(piece: AdapterPiece, turn: int, again: bool) -> str:
     """A statement that uses a piece with known pins and texts and unknown other arguments.
 
-    Pins are unknown to a piece that is cheaper for those that the compiler knows: the others take more. With `again`, another one, for pieces whose first statement is no valid C++ (a register that cannot be written).
+    Pins are unknown to a piece that is cheaper for those that the compiler knows: the others take more. With `again`,
+    another one, for pieces whose first statement is no valid C++ (a register that cannot be written).
     """
     name = piece.target_name or piece.name
     if piece.kind in ("register", "variable"):  # not all may be written

@@ -1,34 +1,36 @@
 """What a corpus run costs beside the analyses that it is made of, and what its page costs.
 
 The programs are those of `c_source`, repeated, each with a line of its own: PROGRAMS of them are analysed. Ratios are to analyses
-and bare parses of every SAMPLE-th of the same programs in one process, in the same minute. The ratio by the clock shows what else
-the machine does, the ratio by processor time does not. Memory is that of the run's own process from its START-th program on.
+and bare parses of every SAMPLE-th of the same programs in one process, in the same minute. What the first START programs take,
+with the start of the workers, counts once; each further program takes the mean of those after START. So is the time of MANY
+analyses computed: that a program costs the same early and late is a figure of its own. Ratios by the clock show what else the
+machine does, the ratio of processor times does not. Memory is that of the run's own process from program START on.
 
 MANY programs stand for a large corpus where nothing is analysed: their rows are copies of analysed ones, which the run itself
-stores. The second run, the page and the browser are measured on them. What an analysis costs does not depend on the number of
-programs, as the ratio of the late programs to the early ones shows; the cost of MANY analyses is therefore that of PROGRAMS by
-their ratio.
+stores. The second run, the page and the browser are measured on them.
 """
 
 from __future__ import annotations
 
+import gc
 import os
 import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from collections.abc import Generator, Iterator, Sequence
 from datetime import datetime
 from pathlib import Path
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from robosmi.corpus.backends import backend_of
 from robosmi.corpus.digests import digest_of
 from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramWork
+from robosmi.corpus.memory import descendants, resident
 from robosmi.corpus.running import CorpusRun
 from robosmi.corpus.settings import cores, options_of
 from robosmi.corpus.spec import read_spec
@@ -81,53 +83,56 @@ def command(*words: str | Path) -> list[str]:
     return [sys.executable, "-m", "robosmi", "corpus", *map(str, words)]
 
 
-def processor_seconds(who: int) -> float:
-    """Processor time of this process or of its children that have ended."""
-    used = resource.getrusage(who)
-    return used.ru_utime + used.ru_stime
+class Sample(NamedTuple):
+    """A run at a moment: the memory of its own process, in bytes, and the processor time of this and all that it has started."""
+
+    moment: float
+    memory: int
+    used: float
 
 
 def pool(spec: Path, out: Path) -> Iterator[Figure]:
     """A run in worker processes, against the same analyses in this process."""
-    memory: list[tuple[float, int]] = []
-    before, started = processor_seconds(resource.RUSAGE_CHILDREN), time.time()
+    started = time.time()
     with subprocess.Popen(command("run", spec, "-o", out, "--fail-on", "never"), stdout=subprocess.DEVNULL) as running:
-        watching = threading.Thread(target=watched, args=(running, memory))
-        watching.start()
-        running.wait()
-        watching.join()
-    wall, used = time.time() - started, processor_seconds(resource.RUSAGE_CHILDREN) - before
+        samples = list(watched(running))
     with Store(out / "corpus.sqlite") as store:
         ends = sorted(datetime.fromisoformat(row[0]).timestamp() for row in store.query("SELECT finished FROM programs").rows)
     parse_wall, analyse_wall, analyse_used = alone(spec)
-    share, note = PROGRAMS / cores(), f"{PROGRAMS} programs, {cores()} workers, {wall:.0f} s"
-    yield Figure(
-        "corpus run, to analysis in one process / cores, by the clock", wall / (analyse_wall * share), "x", 1.3, note=note
-    )
-    yield Figure("corpus run, to analysis in one process, processor time", used / (analyse_used * PROGRAMS), "x", 1.3)
-    yield Figure("corpus run, to bare parses / cores, by the clock", wall / (parse_wall * share), "x")
+    later = [sample for sample in samples if sample.moment >= ends[START]]
+    used = (later[-1].used - later[0].used) / (PROGRAMS - START)
+    yield Figure("corpus run, a program more to one in one process, processor time", used / analyse_used, "x", 1.3)
+    wall = (ends[-1] - ends[START]) / (PROGRAMS - START)
+    many = ends[START] - started + wall * (MANY - START)
+    note = f"from {PROGRAMS} programs in {ends[-1] - started:.0f} s, {cores()} workers"
+    yield Figure(f"corpus run of {MANY}, to one process / cores", many * cores() / (analyse_wall * MANY), "x", 1.3, note=note)
+    yield Figure(f"corpus run of {MANY}, to bare parses / cores", many * cores() / (parse_wall * MANY), "x")
     middle = START + (PROGRAMS - START) // 2
     early, late = ends[middle] - ends[START], ends[-1] - ends[middle]
     yield Figure(
         "corpus run, a late program to an early one", late / early * (middle - START) / (PROGRAMS - 1 - middle), "x", 1.3
     )
-    late_memory = [size for moment, size in memory if moment >= ends[START]]
-    yield Figure("corpus run, memory of the parent, greatest", max(size for _, size in memory) / MB, "MB", 300)
-    growth = 100 * (max(late_memory) / late_memory[0] - 1)
+    yield Figure("corpus run, memory of the parent, greatest", max(sample.memory for sample in samples) / MB, "MB", 300)
+    growth = 100 * (max(sample.memory for sample in later) / later[0].memory - 1)
     yield Figure(f"corpus run, growth of that from program {START} on", growth, "%", 10)
 
 
-def watched(process: subprocess.Popen[bytes], memory: list[tuple[float, int]]) -> None:
-    """Note the memory of a process until it ends."""
-    page_size = resource.getpagesize()
+def watched(process: subprocess.Popen[bytes]) -> Iterator[Sample]:
+    """A run, looked at again and again until it ends."""
     while process.poll() is None:
-        try:
-            pages = int(Path(f"/proc/{process.pid}/statm").read_text(encoding="ascii").split()[1])
-        except (OSError, IndexError):
-            return
-        if pages:
-            memory.append((time.time(), pages * page_size))
+        used = sum(processor_seconds(each) for each in (process.pid, *descendants(process.pid)))
+        if size := resident(process.pid):
+            yield Sample(time.time(), size, used)
         time.sleep(0.1)
+
+
+def processor_seconds(process: int) -> float:
+    """Processor time of a process and of those that it has started and that have ended (proc(5), `stat`)."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
 
 
 def alone(spec: Path) -> tuple[float, float, float]:
@@ -136,6 +141,9 @@ def alone(spec: Path) -> tuple[float, float, float]:
     paths = sorted((spec.parent / "programs").iterdir())
     for path in paths[: len(c_source.corpus()) : SAMPLE]:  # what is loaded once is loaded
         analysed(analyse, path)
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(200_000, 20, 20)  # as commands and workers do
     parsing = analysing = used = 0.0
     chosen = paths[::SAMPLE]
     for path in chosen:
@@ -201,13 +209,14 @@ def copied(spec: Path, out: Path) -> None:
 
 def second_run(spec: Path, out: Path) -> Iterator[Figure]:
     """A run in which nothing has changed."""
-    start = time.perf_counter()
-    done = subprocess.run(
-        command("run", spec, "-o", out, "--fail-on", "never", "--json"), check=True, capture_output=True, text=True
-    )  # fmt: skip
-    seconds = time.perf_counter() - start
+    start, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
+    line = command("run", spec, "-o", out, "--fail-on", "never", "--json")
+    done = subprocess.run(line, check=True, capture_output=True, text=True)
+    clock, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     assert f'"unchanged": {MANY}' in done.stdout
-    yield Figure(f"corpus run, {MANY} programs of which none has changed", seconds, "s", 5)
+    used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    what = f"corpus run, {MANY} programs of which none has changed, processor time"
+    yield Figure(what, used, "s", 5, note=f"by the clock {clock:.1f} s")
 
 
 def page(out: Path, into: Path) -> Iterator[Figure]:

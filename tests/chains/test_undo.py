@@ -72,6 +72,50 @@ def test_undo_of_the_first_run_leaves_nothing_of_it(program: Path, tmp_path: Pat
     assert (program.parent / "robosmi.toml").read_text() == '[migrate]\ntarget = "nano"\n'
 
 
+def test_a_folder_that_was_moved_has_its_way_back(twice: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path) -> None:
+    first, second, out = twice
+    (tmp_path / "elsewhere").mkdir()
+    moved = tmp_path / "elsewhere" / "moved"
+    out.rename(moved)
+    done = undo(moved)
+    assert tree(moved) == first
+    assert "blink/blink.ino" in done.restored
+    undo(moved)
+    assert tree(moved) == second
+    (tmp_path / "elsewhere").rename(tmp_path / "again")  # with the folder around it
+    undo(tmp_path / "again" / "moved")
+    assert tree(tmp_path / "again" / "moved") == first
+
+
+def test_the_first_run_into_a_folder_that_was_moved_is_undone(program: Path, tmp_path: Path) -> None:
+    robosmi.migrate([program], tmp_path / "out")
+    (tmp_path / "out").rename(tmp_path / "moved")
+    undo(tmp_path / "moved")
+    assert tree(tmp_path / "moved") == {}
+
+
+def test_a_moved_folder_whose_former_place_is_taken_has_no_way_back(
+    twice: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path
+) -> None:
+    _, second, out = twice
+    out.rename(tmp_path / "moved")
+    out.mkdir()
+    with pytest.raises(SourceError):
+        undo(tmp_path / "moved")
+    assert tree(tmp_path / "moved") == second
+
+
+def test_an_edit_in_a_moved_folder_stops_undo(twice: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path) -> None:
+    _, _, out = twice
+    out.rename(tmp_path / "moved")
+    sketch = tmp_path / "moved" / "blink" / "blink.ino"
+    sketch.write_text(sketch.read_text() + "// mine\n")
+    before = tree(tmp_path / "moved")
+    with pytest.raises(StoppedError):
+        undo(tmp_path / "moved")
+    assert tree(tmp_path / "moved") == before
+
+
 def test_a_run_that_changes_nothing_keeps_the_way_back(twice: tuple[dict[str, str], dict[str, str], Path], program: Path) -> None:
     first, second, out = twice
     robosmi.migrate([program], out)

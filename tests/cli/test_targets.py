@@ -42,14 +42,16 @@ def test_nothing_is_claimed_where_nothing_is_installed(monkeypatch: pytest.Monke
 
 @pytest.mark.processes
 def test_a_target_has_its_full_name_and_its_proof_in_a_word(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    require_engine("api")
     monkeypatch.setenv("HOME", str(tmp_path))
     found = known()
     teensy = found["teensy40"]
     assert (teensy["fqbn"], teensy["title"], teensy["proof"], teensy["installed"]) == (
-        "teensy:avr:teensy40", "Teensy 4.0", "none", False,
+        "teensy:avr:teensy40", "Teensy 4.0", "api", False,
     )  # fmt: skip
     assert teensy["missing"] == ["install it: arduino-cli core install teensy:avr, or let ROBOSMI_CORE name its folder"]
-    assert all(target["missing"] for target in found.values() if target["proof"] == "none")
+    assert teensy["proven_by"] == "judged at the Arduino API, not compiled here"
+    assert all(target["missing"] for target in found.values() if target["proof"] in ("none", "api"))
 
 
 @pytest.mark.processes

@@ -346,7 +346,7 @@ def test_the_report_is_one_file_that_needs_no_server(migrated: Migrated, browser
     browser.get(path.as_uri())
     assert browser.execute_script("return document.body.dataset.ready") == "true"
     headings = browser.execute_script("return [...document.querySelectorAll('section')].map(each => each.id)")
-    assert headings == ["works", "wiring", "decide", "write", "check", "verdict", "code", "history"]
+    assert headings == ["works", "wiring", "decide", "write", "check", "watch", "verdict", "code", "history"]
     loaded = browser.execute_script("return performance.getEntriesByType('resource').map(each => each.name)")
     assert [name for name in loaded if not name.startswith("data:")] == []
     assert browser.execute_script("return document.querySelectorAll('[data-option], [data-undo]').length") == 0

@@ -58,7 +58,7 @@ def accept(output: Path, accepted: Accepted, *, source: Path | None = None, seen
         return produce(models, output, inputs={STORED: data}, outside=change.files)
 
 
-def judged_findings(models: MigrationModels, output: Path, source: Path | None = None) -> list[Finding]:
+def project_findings(models: MigrationModels, output: Path, source: Path | None = None) -> list[Finding]:
     """The findings of a stored plan without its verdict, as the project file beside the sources judges them.
 
     A project file that cannot be read is a finding, too, and judges nothing.

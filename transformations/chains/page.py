@@ -26,7 +26,7 @@ from robosmi.metamodels import migration
 from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.plugins import content
 from robosmi.project import Accepted
-from robosmi.transformations.chains.accept import accept, judged_findings
+from robosmi.transformations.chains.accept import accept, project_findings
 from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
@@ -238,7 +238,7 @@ class PlanPage:
         set_verdict(plan, said)
         drawn = Places(self.output).read(f"{FOLDER}/{PICTURE}") or b""
         picture = drawn.decode("utf-8", "replace") if said is not None and said.picture else ""
-        findings = judged_findings(models, self.output, self.source)
+        findings = project_findings(models, self.output, self.source)
         check = page_sections.check(plan, findings)
         self.acceptable = {(row[0], row[4]) for group in check["groups"] for chunk in group["chunks"] for row in chunk if row[4]}
         first = page_sections.works(plan, files, known, findings)

@@ -14,11 +14,12 @@ from msgspec import Struct
 
 from robosmi.base.progress_events import announce
 from robosmi.diagnostics import Finding, Severity
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import SourceError, UsageError, VerificationError
 from robosmi.files.files import write_atomic
 from robosmi.metamodels import platform
 from robosmi.transformations.chains.stages.models import stored_models
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.api_build import compile_to_run
 from robosmi.transformations.verification.bound_devices.played_devices import devices_at, played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports
 from robosmi.transformations.verification.jobs import job
@@ -27,9 +28,9 @@ from robosmi.verify.simulation import PinTrace, simulate as run_job
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.temporary import temporary_folder
-from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.activity import activity
 from robosmi.verify.traces.vcd import vcd_text
+from robosmi.verify.traces.verdict import AT_THE_PINS, Judge, judged_lines
 
 CRASHED = "RS854"
 """The rule for a program that crashed."""
@@ -47,12 +48,15 @@ class Simulated(Struct):
         trace: what it did; None where it does not compile.
         ports: its ports, where its models are known.
         written: the VCD file, or None.
+        judged_at, not_compiled: see `Verdict`.
     """
 
     compiled: CompileReport
     trace: PinTrace | None = None
     ports: list[BoundPort] = []
     written: Path | None = None
+    judged_at: Judge = AT_THE_PINS
+    not_compiled: str = ""
 
     @property
     def findings(self) -> list[Finding]:
@@ -77,6 +81,8 @@ class Simulated(Struct):
         events = _events(trace)
         return {
             "engine": trace.engine,
+            "judged_at": self.judged_at.name,
+            "not_seen": list(self.judged_at.not_seen),
             "state": trace.state,
             "simulated_s": round(trace.simulated_us / 1e6, 6),
             "console": trace.text,
@@ -96,6 +102,7 @@ class Simulated(Struct):
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
         names = [f"'{each.name}'" for each in self.compiled.libraries if each.source == STAND_IN]
+        lines += [f"  {said}" for said in judged_lines(self.judged_at, self.not_compiled)]
         if self.compiled.stand_in_core:
             lines.append(f"  with a stand-in for the missing core {self.compiled.stand_in_core}")
         elif names:
@@ -190,7 +197,13 @@ def simulate(
     models = stored_models(plan_file.parent.parent) if plan_file is not None else None
     ports = bound_ports(models.plan, plan_file.parent) if models is not None and plan_file is not None else []
     with temporary_folder("simulate") as folder:
-        report = compile_sketch(output, keep=Path(folder))
+        made_for = compile_to_run(output, Path(folder))
+        report = made_for.report
+        if made_for.lacking:
+            raise VerificationError(
+                f"the model of the Arduino API cannot run the program: {made_for.lacking}",
+                fix="test it on the board: nothing is known of it here",
+            )
         if not report.ok or report.elf is None:
             return Simulated(report)
         stored = models.plan.board if models is not None else None
@@ -203,7 +216,7 @@ def simulate(
             write_atomic(vcd, vcd_text({str(board.name): trace}, f"{output} on {trace.engine}").encode())
         except OSError as error:
             raise SourceError(f"the trace cannot be written: {error.strerror or error}", fix="give another file") from error
-    return Simulated(report, trace, ports, vcd)
+    return Simulated(report, trace, ports, vcd, made_for.judge, made_for.not_compiled)
 
 
 def adjacent_plan(output: Path) -> Path | None:

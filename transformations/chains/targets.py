@@ -1,7 +1,7 @@
 """The chain `targets`: what programs can be moved to, and what a result for each target is proven by on this machine.
 
 Nothing is compiled or run. A target is proven by what RoboSMi can do with its programs: run them on a simulated microcontroller,
-compile them, or neither.
+run them on this computer with a model of the Arduino API, compile them, or neither.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from robosmi.errors import RobosmiError
 from robosmi.plugins import content
 from robosmi.transformations.knowledge.board_models import not_simulated
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts, target_names
+from robosmi.transformations.verification.jobs import api_facts
 from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchains.boards import load_boards
 from robosmi.verify.toolchains.recipes import InstalledBoard
@@ -23,8 +24,9 @@ from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.toolchains.tools import find_installed
 
 AT_THE_PINS, COMPILED_ONLY, NOT_COMPILED = "simulated at the pins", "compiled only", "not compiled here"
-"""What a target is proven by, the strongest first."""
-PROOFS = {AT_THE_PINS: "simulated", COMPILED_ONLY: "compiled", NOT_COMPILED: "none"}
+COMPILED_AT_API, AT_API = "compiled, judged at the Arduino API", "judged at the Arduino API, not compiled here"
+"""What a target is proven by. The strongest is at the pins; the two at the API come next; the first: programs compile."""
+PROOFS = {AT_THE_PINS: "simulated", COMPILED_AT_API: "api", AT_API: "api", COMPILED_ONLY: "compiled", NOT_COMPILED: "none"}
 """The same in one word, for programs."""
 
 
@@ -76,7 +78,8 @@ class TargetTable(NamedTuple):
         found = []
         for target in self.known:
             with_what = "stand-in for the core" if target.core == "stand-in" else ""
-            more = ", ".join(filter(None, (target.engine, with_what)))
+            engine = target.engine if target.proven_by == AT_THE_PINS else ""
+            more = ", ".join(filter(None, (engine, with_what)))
             found.append(f"{target.name:{width}}  {target.title:{titles}}  {target.proven_by}{f' ({more})' if more else ''}")
             if target.not_simulated and target.proven_by == AT_THE_PINS:
                 found.append(f"{'':{width}}  not simulated: {target.not_simulated}")
@@ -143,6 +146,8 @@ def _known(
     mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
     serving = [engine for engine in engines if engine.serves(mcu)]
     ready = next((engine.name for engine in serving if engine.missing() is None), None)
+    if ready is not None and api_facts(mcu) is not None:
+        return KnownTarget(facts.target, str(board.title), AT_API if core == "missing" else COMPILED_AT_API, core, ready, missing)
     if core == "missing":
         return KnownTarget(facts.target, str(board.title), NOT_COMPILED, core, None, missing)
     if ready is None:

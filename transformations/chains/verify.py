@@ -16,27 +16,25 @@ from msgspec.structs import replace
 
 from robosmi.base.progress_events import announce, remark
 from robosmi.base.quantities import quantity
+from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
 from robosmi.inputs import SOURCE, read_once, read_text
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.generate import generate as generate_again
 from robosmi.transformations.chains.simulate import adjacent_plan
-from robosmi.transformations.chains.stages.both_programs import (
-    board_of,
-    sketch_files,
-    sketch_texts,
-    source_mv,
-    stored_original,
-    stored_sources,
-)
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.program_files import REPORT
+from robosmi.transformations.m2t.retained_text import STORED as STORED_FILES
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
+from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.verification.api_build import AT_THE_API, compile_to_run
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import (
     BoundPort,
@@ -46,6 +44,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import (
     resting_pins,
     texts_understood,
 )
+from robosmi.transformations.verification.engine_original import engine_original, source_board_of
 from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, ComparedScenario, compare_scenarios
@@ -59,17 +58,20 @@ from robosmi.transformations.verification.original_side import (
     run_source,
     run_varied,
 )
+from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, most_stored
-from robosmi.transformations.verification.stubs import stubs_of, with_stubs, written_in
+from robosmi.transformations.verification.stubs import Stubs, stubs_of, with_stubs, written_in
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
+from robosmi.verify.host_model import load_host_model
+from robosmi.verify.host_original import HostOriginal
 from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
+from robosmi.verify.toolchains.sketch import find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
-from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.verdict import (
     DIFFERENT_VERDICT,
     NO_DIFFERENCE,
@@ -209,8 +211,12 @@ def _compared(
     with temporary_folder("verify") as place:
         folder = Path(place)
         (folder / "target").mkdir()
-        report = compile_sketch(output, keep=folder / "target")
-        verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
+        made_for = compile_to_run(output, folder / "target")
+        report = made_for.report
+        compiled = report.ok or bool(made_for.lacking)
+        verdict = Verdict(compiled=compiled, compiler=report.tool, binding=[port.to_json() for port in ports])
+        verdict.judged_at = made_for.judge
+        verdict.not_compiled = made_for.not_compiled
         verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
         verdict.little_room = next((f"{f.message} [{f.rule}]" for f in report.diagnostics if f.rule == LITTLE_RAM), "")
         verdict.functions = {port.title: port.functions for port in ports}
@@ -220,6 +226,9 @@ def _compared(
             for port in ports
             if port.shares_with
         }
+        if made_for.lacking:
+            verdict.reasons.append(f"the model of the Arduino API cannot run the program: {made_for.lacking}")
+            return Verified(verdict, replace(report, diagnostics=()))
         if not report.ok:
             return Verified(verdict, report)
         if report.elf is None:
@@ -268,7 +277,9 @@ def _compared(
         if stores and not any(channel["name"] == EEPROM_CHANNEL for channel in verdict.channels()):
             verdict.not_compared.append(EEPROM_CHANNEL)
         if compared.undecided and verdict.verdict != DIFFERENT_VERDICT:
-            raise compared.undecided[0]
+            if made_for.judge is not AT_THE_API:
+                raise compared.undecided[0]
+            verdict.reasons.append(compared.undecided[0].message)
         if cases and not kept:
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
         if (found := verdict.first_difference) is not None:
@@ -338,6 +349,62 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
 # ---- both sides
 
 
+def board_of(models: MigrationModels, report: CompileReport) -> platform.Board:
+    """The board that a program was compiled for: the plan's own, else the repository's."""
+    stored = models.plan.board
+    return stored if stored is not None and stored.name == report.board else load_board(report.board)
+
+
+def source_mv(plan: migration.MigrationPlan) -> float:
+    """The supply of the source board, if the plan has one, whose parts are fed by it; else 0."""
+    board = source_board_of(plan)
+    return board.volts * 1000 if board is not None else 0.0
+
+
+def sketch_files(output: Path) -> list[Path]:
+    """The files of the migrated program as it is now."""
+    sketch, _ = find_sketch(output)
+    return [sketch.main, *sketch.parts, *(path for path in sorted(sketch.folder.glob("*")) if path.suffix in (".h", ".hpp"))]
+
+
+def sketch_texts(files: Sequence[Path]) -> list[str]:
+    """The texts of these files."""
+    return [read_text(path, SOURCE, errors=AS_BYTES) for path in files]
+
+
+def stored_original(models: MigrationModels, place: Path, trusted: bool = False, stubs: Stubs | None = None) -> Original:
+    """The original of a plan, built from the stored sources.
+
+    Args:
+        models: the stored plan with its models.
+        place: an empty folder, in which everything is made.
+        trusted: whether it may run where the system has no sandbox for it.
+        stubs: functions and missing headers that may be stubbed.
+
+    Raises:
+        MissingToolError: the host's compiler is not installed, or the system has no sandbox.
+        VerificationError: the program does not compile or link.
+    """
+    plan = models.plan
+    assert plan.program is not None
+    assert plan.source is not None
+    if (board := source_board_of(plan)) is not None:
+        texts = {path.removeprefix(STORED_FILES): text for path, text in stored_sources(models).items()}
+        main = str(plan.program.units[0].path).removeprefix(STORED_FILES)
+        return engine_original(texts, main, str(plan.source.name), board, place)
+    stored = place / "stored"
+    files = written_sources(list(plan.program.units), stored_sources(models), stored)
+    sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
+    with acting(host=True):
+        model = load_host_model(str(plan.source.name))
+        return HostOriginal(original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted, stubs=stubs))
+
+
+def stored_sources(models: MigrationModels) -> dict[str, bytes]:
+    """Path -> content of the program's files, as the plan has recorded them."""
+    return {str(entry.path): models.files[entry.path] for entry in models.plan.inputs if entry.kind == "source"}
+
+
 def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileReport:
     """Compile a copy of the migrated program in which some functions do nothing.
 
@@ -350,7 +417,7 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
         if (other := with_stubs(text, names)) != text:
             path.write_text(other, encoding="utf-8", errors=AS_BYTES)
     (place / "kept").mkdir()
-    report = compile_sketch(place / "out", keep=place / "kept")
+    report = compile_to_run(place / "out", place / "kept").report
     if report.elf is None:
         raise VerificationError(f"the migrated program does not compile without {', '.join(sorted(names))}")
     return report

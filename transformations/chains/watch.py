@@ -24,7 +24,8 @@ from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError, 
 from robosmi.files.files import refuse_link, write_atomic
 from robosmi.files.recovery import at_work
 from robosmi.metamodels import migration, platform
-from robosmi.transformations.chains.stages.both_programs import (
+from robosmi.transformations.chains.stages.models import FOLDER, stored_models
+from robosmi.transformations.chains.verify import (
     board_of,
     sketch_files,
     sketch_texts,
@@ -32,7 +33,6 @@ from robosmi.transformations.chains.stages.both_programs import (
     stored_original,
     stored_sources,
 )
-from robosmi.transformations.chains.stages.models import FOLDER, stored_models
 from robosmi.transformations.queries.plans.motors import SERVO
 from robosmi.transformations.queries.plans.plan_adapters import port_calls
 from robosmi.transformations.verification.bound_devices.played_devices import CONSOLE, TYPING, devices_at, signals_of
@@ -230,7 +230,7 @@ class WatchedFolder:
         if not report.ok or report.elf is None:
             why = "does not compile" if not report.ok else f"is too big for {report.board}"
             raise VerificationError(f"the sketch {why}", fix="see: robosmi compile")
-        side = TargetSide(board_of(models, report), report, ports, self.engine, whole=True, source_mv=source_mv(plan))
+        side = TargetSide(board_of(models, report), report, ports, self.engine, source_mv=source_mv(plan))
         original, why = None, ""
         try:
             stubs = stubs_of(plan, stored_sources(models), sketch_texts(sketch_files(self.output)))

@@ -18,7 +18,7 @@ from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.verify.simulation import DeviceUse, Job
 
-_DATA = ("simulation/avr.toml", "simulation/rp2040.toml")
+_DATA = ("simulation/avr.toml", "simulation/rp2040.toml", "simulation/api.toml")
 _ANALOG = re.compile(r"A(\d+)")
 _PORT = r"P([A-Z]\d)"
 """A port, and what engines call it; data may say otherwise (`ports`)."""
@@ -40,6 +40,20 @@ def shows_console(mcu: str) -> bool:
 def store_bytes(mcu: str) -> int:
     """The size of a microcontroller's own EEPROM; 0 if it has none that simulators show."""
     return int(_facts()[mcu][1].get("eeprom_bytes", 0)) if mcu in _facts() else 0
+
+
+def api_facts(mcu: str) -> DataTable | None:
+    """What the model of the Arduino API has to know of a microcontroller; None if its programs are not judged there."""
+    if mcu not in _facts():
+        return None
+    path, values = _facts()[mcu]
+    return DataTable(path, values).table("api") if "api" in values else None
+
+
+def pins_and_inputs(board: platform.Board, pattern: str = ".+") -> tuple[list[platform.Pin], list[platform.Pin]]:
+    """The pins of a board whose ports match, and those of them that measure voltages; engines number them in this order."""
+    pins = [pin for pin in board.pins if re.fullmatch(pattern, str(pin.port))]
+    return pins, [pin for pin in pins if "analog_in" in pin.abilities]
 
 
 def job(
@@ -65,13 +79,16 @@ def job(
         raise UsageError(f"no simulator data for the microcontroller '{mcu}'", fix=f"use one of: {', '.join(sorted(known))}")
     path, facts = known[mcu]
     try:
-        channels, timers = facts["analog"], facts["timers"]
+        timers = facts["timers"]
+        channels = facts["analog"] if "api" not in facts else ()
     except KeyError as error:
         raise PlatformDataError(f"'{mcu}' in {path} lacks {error}", fix="add it") from None
     pattern = re.compile(str(facts.get("port_pattern", _PORT)))
     pins = {str(pin.label): found[1] for pin in board.pins if (found := pattern.fullmatch(str(pin.port)))}
     numbers = {str(pin.label): number for pin in board.pins if pin.label in pins and (number := _input(pin)) is not None}
     analog = {label: channels[number] for label, number in numbers.items() if number < len(channels)}
+    if "api" in facts:
+        analog = {str(pin.label): number for number, pin in enumerate(pins_and_inputs(board)[1])}
     supply = round(board.volts * 1000)
     return Job(
         str(elf),

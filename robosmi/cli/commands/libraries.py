@@ -37,7 +37,7 @@ def configure(parser: ActionOptions) -> None:
         dest="source",
         metavar="FILE",
         type=Path,
-        help="zip file or folder of the library (default: by arduino-cli)",
+        help="zip file or folder of the library (default: the library manager gets it)",
     )
     installing.add_argument(
         "--pin", dest="output", metavar="OUT", type=output_folder, help="output folder of a migration that gets the version, too"

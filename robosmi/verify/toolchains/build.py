@@ -279,7 +279,7 @@ class Build(Struct):
         core = self.core_archive()
         elf = self.folder / f"{self.sketch.main.stem}.elf"
         link = self.recipes.link(elf, objects, libraries, core)
-        if (complaint := self._run_all(self.recipes.before_link(elf))) is not None:
+        if (complaint := self._run_all(self.recipes.before_link(elf, objects, libraries, core))) is not None:
             return _with(report, [messages.unread("preparing the link", complaint)])
         done = self._run(link)
         overflow = False

@@ -1,6 +1,6 @@
 """Which libraries a sketch needs, and where they are: installed ones first, stand-ins of the repository after them.
 
-An installed library that does not list the board's architecture comes last, as Arduino's builder has it.
+An installed library that does not list the board's architecture comes last.
 
 The preprocessor itself names the headers it cannot find, so conditions and macros count and comments do not. For each such
 header a library that offers it is added, until no header is missing or nothing offers it. Compiling is done by `build`.

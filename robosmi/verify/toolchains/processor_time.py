@@ -29,5 +29,6 @@ def bound_own(seconds: float) -> None:
         return
     _, most = resource.getrlimit(resource.RLIMIT_CPU)
     wanted = math.ceil(seconds)
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))  # the signal would leave a file
+    # the signal would leave a file; the greatest limit stays, as the sandbox sets its own
+    resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
     resource.setrlimit(resource.RLIMIT_CPU, (wanted if most == resource.RLIM_INFINITY else min(wanted, most), most))

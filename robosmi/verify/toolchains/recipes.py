@@ -64,8 +64,8 @@ class Recipes(Protocol):
     def archive(self, archive: Path, objects: Sequence[Path]) -> Iterable[Command]:
         """Make an archive of objects."""
 
-    def before_link(self, elf: Path) -> Iterable[Command]:
-        """What goes before the link."""
+    def before_link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Iterable[Command]:
+        """What goes before the link of these; see `link`."""
 
     def link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Command:
         """Link objects and archives to a program."""
@@ -166,7 +166,7 @@ class DataRecipes:
         files = {"objects": [str(path) for path in objects]}
         return [self._tool(self._toolchain.archive, {"archive": str(archive)}, files)]
 
-    def before_link(self, elf: Path) -> Iterable[Command]:
+    def before_link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Iterable[Command]:
         """See `Recipes`."""
         return ()
 

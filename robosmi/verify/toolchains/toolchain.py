@@ -79,6 +79,16 @@ def compile_sketch(
         return _compiled(Path(folder_or_sketch), board, keep, project, started, changed)
 
 
+@read_once()
+def compile_by(
+    folder_or_sketch: Path, found: InstalledBoard, *, keep: Path | None = None, project: Path | None = None
+) -> CompileReport:
+    """Compile and link a sketch as a core builds programs for a board, whatever the sketch says; see `compile_sketch`."""
+    with acting(project):
+        sketch, toolchain = find_sketch(folder_or_sketch, project)
+        return _compiled_by_core(sketch, found, toolchain, keep, project)
+
+
 def _compiled(
     place: Path, board: str | None, keep: Path | None, project: Path | None, started: float, changed: Changed | None = None
 ) -> CompileReport:

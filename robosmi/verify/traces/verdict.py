@@ -29,6 +29,24 @@ PROGRAM = "program"
 """The channel of a crash, which concerns the program as a whole."""
 
 
+class Judge(Struct, frozen=True):
+    """Where programs are judged.
+
+    Attributes:
+        name: in JSON.
+        said: the same in words, where every text of a verdict has to say it.
+        not_seen: what nobody sees there.
+    """
+
+    name: str
+    said: str = ""
+    not_seen: tuple[str, ...] = ()
+
+
+AT_THE_PINS = Judge("pins")
+"""At the pins of a simulated board: what is worth most, and not said."""
+
+
 class ScenarioVerdict(Struct, frozen=True):
     """What became of one scenario.
 
@@ -136,6 +154,8 @@ class Verdict(Struct):
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
         stubbed: what does nothing on both sides: functions without a model, missing headers and what they declare.
         search: how the search for scenarios ended, in this run or the one that stored them; None without one.
+        judged_at: where; all others are worth less than `AT_THE_PINS`.
+        not_compiled: why no compiler of the board has compiled the program that was judged elsewhere; empty if one has.
     """
 
     scenarios: list[ScenarioVerdict] = []
@@ -163,6 +183,8 @@ class Verdict(Struct):
     stand_ins: list[str] = []
     stubbed: list[str] = []
     search: SearchEnd | None = None
+    judged_at: Judge = AT_THE_PINS
+    not_compiled: str = ""
 
     @property
     def verdict(self) -> str:
@@ -246,6 +268,9 @@ class Verdict(Struct):
             "not_compared_because": dict(self.why_not_compared),
             "first_difference": None if first is None else self._difference_json(*first),
             "engine": self.engine,
+            "judged_at": self.judged_at.name,
+            "not_seen": list(self.judged_at.not_seen),
+            "not_compiled": self.not_compiled or None,
             "compiler": self.compiler,
             "stand_ins": self.stand_ins,
             "stubbed": self.stubbed,
@@ -283,7 +308,10 @@ class Verdict(Struct):
         said += "; ".join(["", self._reached(), *self._missed()])
         if (first := self.first_difference) is not None:
             said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
-        return "; ".join([said, *self._stood_in(), *self.all_reasons()])
+        return "; ".join([said, *self._judged(), *self._stood_in(), *self.all_reasons()])
+
+    def _judged(self) -> list[str]:
+        return judged_lines(self.judged_at, self.not_compiled)
 
     def _many(self) -> str:
         return quantity(len(self.scenarios), "test case")
@@ -295,11 +323,12 @@ class Verdict(Struct):
     def _headline(self) -> str:
         """The verdict with what it rests on, in one line."""
         basis = f"in {self._many()}, {self.simulated_s:.1f} s simulated"
+        where = f", {self.judged_at.said}," if self.judged_at.said else ""
         if self.verdict != NO_DIFFERENCE:
-            return f"{self.verdict.replace('-', ' ').upper()} {basis}; {self._reached()}"
+            return f"{self.verdict.replace('-', ' ').upper()}{where} {basis}; {self._reached()}"
         if self.partial:
-            return f"PARTLY COMPARED: {self._outputs()}, {self._reached()}; no difference found {basis}"
-        return f"NO DIFFERENCE FOUND in everything compared: {self._outputs()}, {self._reached()}; {basis}"
+            return f"PARTLY COMPARED{where.rstrip(',')}: {self._outputs()}, {self._reached()}; no difference found {basis}"
+        return f"NO DIFFERENCE FOUND{where} in everything compared: {self._outputs()}, {self._reached()}; {basis}"
 
     def _stood_in(self) -> list[str]:
         """The libraries that were replaced by stand-ins, in words."""
@@ -342,7 +371,7 @@ class Verdict(Struct):
         if self.verdict == NOT_COMPILED:
             return ["NOT COMPILED: the migrated program does not compile"]
         lines = [self._headline(), f"  {self.engine}; {self.compiler}; {self.original}"]
-        lines += [f"  {told}" for told in (*self._missed(verbose), *self._stood_in())]
+        lines += [f"  {told}" for told in (*self._judged(), *self._missed(verbose), *self._stood_in())]
         if (first := self.first_difference) is not None:
             scenario, difference = first
             lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
@@ -380,6 +409,19 @@ class Verdict(Struct):
             where = each["target"] or "not connected"
             lines.append(f"  {each['port']}: {each['source']} -> {where} {each['component'] or ''}".rstrip() + device)
         return lines
+
+
+def judged_lines(judge: Judge, not_compiled: str) -> list[str]:
+    """What a result is worth, in words; nothing for one at the pins.
+
+    Args:
+        judge: where it was judged.
+        not_compiled: see `Verdict`.
+    """
+    if not judge.said:
+        return []
+    own = [f"not compiled for the board: {not_compiled}"] if not_compiled else []
+    return [f"{judge.said}, not on a simulated board: not seen are {', '.join(judge.not_seen)}", *own]
 
 
 def _counted(events: int, status: str) -> str:

@@ -25,7 +25,7 @@ AVR_ENGINES = ["simavr", "avr8js"]
 
 
 def test_the_engines_are_known_in_the_order_in_which_they_are_tried() -> None:
-    assert engine_names() == [*AVR_ENGINES, "rp2040js"]
+    assert engine_names() == [*AVR_ENGINES, "rp2040js", "api"]
 
 
 def test_how_pins_are_driven_is_seen_with_its_times(job_of: Run, engine: str) -> None:
@@ -181,10 +181,10 @@ def test_what_no_engine_knows_is_refused(job_of: Run) -> None:
         simulate(job_of("pins", 1, ()), "spice")
     with pytest.raises(UsageError, match="does not know the microcontroller 'atmega2560'"):
         simulate(replace(job_of("pins", 1, ()), mcu="atmega2560"), "avr8js")
-    with pytest.raises(UsageError, match="no engine knows the microcontroller 'esp32'"):
-        simulate(replace(job_of("pins", 1, ()), mcu="esp32"))
-    with pytest.raises(UsageError, match="no simulator data for the microcontroller 'esp32'"):
-        job(Path("a.elf"), Path("a.hex"), platform.Board(microcontroller=platform.Microcontroller(name="esp32")), 1)
+    with pytest.raises(UsageError, match="no engine knows the microcontroller 'esp8266'"):
+        simulate(replace(job_of("pins", 1, ()), mcu="esp8266"))
+    with pytest.raises(UsageError, match="no simulator data for the microcontroller 'esp8266'"):
+        job(Path("a.elf"), Path("a.hex"), platform.Board(microcontroller=platform.Microcontroller(name="esp8266")), 1)
 
 
 def test_an_engine_that_is_not_installed_says_how_to_install_it(job_of: Run, monkeypatch: pytest.MonkeyPatch) -> None:

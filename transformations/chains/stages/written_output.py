@@ -17,6 +17,7 @@ from robosmi.errors import StoppedError
 from robosmi.files.commit import update
 from robosmi.files.external_files import ExternalFiles
 from robosmi.files.files import free_name
+from robosmi.files.run_lock import note_place
 from robosmi.generate.manifest import NAME as MANIFEST, Guarded, Manifest, hidden, reformed_file, retained_file
 from robosmi.generate.output_paths import Places
 from robosmi.generate.undo import save_previous
@@ -103,6 +104,7 @@ def commit(
     elsewhere = save_previous(output, places, writing, new.going, outside, amending=amending)
     manifest.note(output, writing[MANIFEST])
     update(output, writing, new.going, places.seen, elsewhere)
+    note_place(output)
 
 
 def chosen_by_persons(plan: migration.MigrationPlan) -> dict[str, migration.LibraryChoice]:

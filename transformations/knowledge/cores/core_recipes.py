@@ -52,18 +52,19 @@ class CoreRecipes:
         core: the installed core.
         name: the board with its menu options.
         toolchain: flags for the sketch's own files, and the environment of the commands.
+        more: further properties.
 
     Raises:
         UsageError, MissingToolError, SourceError: see `build_properties`.
         PlatformDataError: the core has no recipes.
     """
 
-    def __init__(self, core: ArduinoCore, name: BoardName, toolchain: Toolchain) -> None:
+    def __init__(self, core: ArduinoCore, name: BoardName, toolchain: Toolchain, more: Mapping[str, str] = {}) -> None:
         self._core = core
         self._toolchain = toolchain
         self.unconverted: str | None = None
         added = toolchain.core.table("properties", needed=False).table(core.architecture, needed=False)
-        self._properties = build_properties(core, name) | RUNTIME | {key: added.text(key) for key in added.values}
+        self._properties = build_properties(core, name) | RUNTIME | {key: added.text(key) for key in added.values} | dict(more)
         self._build_in(Path("."), "sketch")
         self.core = core.folder
         self.core_title = core.title
@@ -119,12 +120,12 @@ class CoreRecipes:
             return found
         raise self._missing(plain)
 
-    def _hooks(self, name: str) -> Iterable[Command]:
+    def _hooks(self, name: str, more: Mapping[str, str] = {}) -> Iterable[Command]:
         start, end = f"recipe.hooks.{name}.", "pattern"
         keys = [key for key in self._properties if key.startswith(start) and key.endswith(end)]
         numbers = {key: key[len(start) : -len(end)].rstrip(".") or "0" for key in keys}
         found = [(int(number), key) for key, number in numbers.items() if number.isdigit()]
-        commands = (self._command(key) for _, key in sorted(found) if self._properties[key])
+        commands = (self._command(key, more) for _, key in sorted(found) if self._properties[key])
         return [command for command in commands if command]
 
     # ---- the steps of `Recipes`
@@ -179,16 +180,20 @@ class CoreRecipes:
             return [[*command[:at], *(str(path) for path in objects), *command[at + 1 :]]]
         return [[word.replace(mark, str(path)) for word in command] for path in objects]
 
-    def before_link(self, elf: Path) -> Iterable[Command]:
+    def before_link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Iterable[Command]:
         """See `Recipes`."""
-        return self._hooks("linking.prelink")
+        return self._hooks("linking.prelink", self._linked(elf, objects, libraries, core))
 
     def link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Command:
         """See `Recipes`."""
+        return self._command("recipe.c.combine.pattern", self._linked(elf, objects, libraries, core))
+
+    @staticmethod
+    def _linked(elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Mapping[str, str]:
+        """The properties that say what is linked."""
         files = " ".join(f'"{path}"' for path in (*objects, *libraries))
         beside = os.path.relpath(core, elf.parent) if core is not None else ""  # recipes name it within the build's folder
-        archive = {"archive_file": beside, "archive_file_path": str(core or "")}
-        return self._command("recipe.c.combine.pattern", {**archive, "object_files": files})
+        return {"archive_file": beside, "archive_file_path": str(core or ""), "object_files": files}
 
     def size(self, elf: Path) -> Command:
         """See `Recipes`."""

@@ -48,9 +48,10 @@ def clashing_names(sketch: MovedSketch) -> Iterator[SketchEdit]:
             if at is not None:
                 places.setdefault(id(unit), (element, set()))[1].add(Replacement(at, at + len(name), new))
         for view in sketch.views:
-            holder, edits = places.get(id(view.unit), (view.unit, set()))
+            holder, edits = places.get(id(view.unit), (None, set()))
             edits |= set(_in_macros(name, new, sketch.sources[str(view.unit.path)]))
-            if edits:
+            holder = holder or next(iter([*view.unit.macros, *view.unit.declarations, *view.unit.includes]), None)
+            if edits and holder is not None:
                 yield SketchEdit(holder, RENAME, reason, tuple(sorted(edits)))
 
 

@@ -36,7 +36,7 @@ def flash_eeprom(sketch: MovedSketch) -> Iterator[SketchEdit]:
         (inserted(offset, f" {_OBJECT}.begin({size});"),),
     )  # fmt: skip
     if _HEADER not in view.includes:
-        yield SketchEdit(view.unit, "eeprom-begin", f"setup begins {_OBJECT}", (inserted(0, f"#include <{_HEADER}>\n"),))
+        yield SketchEdit(setup, "eeprom-begin", f"setup begins {_OBJECT}", (inserted(0, f"#include <{_HEADER}>\n"),))
     done: set[tuple[int, int]] = set()
     for view in sketch.views:
         mine = [ref for own, ref in uses if own is view]

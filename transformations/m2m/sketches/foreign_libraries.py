@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robosmi.transformations.knowledge.libraries.library_ranking import architecture_facts, library_index, unsuitable
+from robosmi.transformations.knowledge.libraries.library_ranking import (
+    architecture_facts,
+    libraries_by_header,
+    library_index,
+    unsuitable,
+)
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
@@ -29,5 +34,21 @@ def foreign_libraries(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
                 found = architecture_facts(platform).replacement(library, target)
                 use = f"; use {found.library} there: {found.why}" if found is not None else ""
                 yield sketch.place(KIND, include, f"{library} writes registers of AVR microcontrollers{use}")
-            elif library_index(platform).library_named(library) is not None and (why := unsuitable(library, platform, target)):
+            elif why := _unsuitable(library, "" if view.api.header_kind(header) else header, platform, target):
                 yield sketch.place(KIND, include, why)
+
+
+def _unsuitable(library: str, header: str, platform: str, target: str) -> str:
+    """Why the library of a header does not work there: the one of its name, else each that has the header; empty if one does.
+
+    Args:
+        library: the name of the header without its ending.
+        header: the header; empty if the platform has it.
+        platform: the platform.
+        target: the architecture.
+    """
+    if library_index(platform).library_named(library) is not None:
+        return unsuitable(library, platform, target)
+    offers = libraries_by_header(header, platform) if header else ()
+    whys = [unsuitable(each.name, platform, target) for each in offers]
+    return whys[0] if whys and all(whys) else ""

@@ -25,10 +25,17 @@ def missing_returns(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
     if not sketch.facts.needs_return:
         return
     for view in sketch.views:
+        by_macro = {int(use.startOffset) for use in view.unit.macroUses}  # `ISR(...)`: its type is not what the text says
         for function in view.of_kind(ccode.Function):
             body, kind = function.body, function.returnType
             spelling = str(kind.spelling).strip() if kind is not None else ""
-            if body is None or spelling in _NOTHING or function.name == "main" or not _falls_through(body):
+            if (
+                body is None
+                or int(function.startOffset) in by_macro
+                or spelling in _NOTHING
+                or function.name == "main"
+                or not _falls_through(body)
+            ):
                 continue
             if "&" in spelling or is_torn(body):
                 yield sketch.place(KIND, function, str(function.name))

@@ -3,7 +3,7 @@
 #define ROBOSMI_CHIP_H
 #include "host.h"
 
-enum { COGS = 8, PINS = 32, CHANNELS = 8 };
+enum { COGS = 8, PINS = 32, CHANNELS = 32 };
 
 struct counter {
   unsigned control, frequency, phase;  /* as the program has written them */
@@ -55,6 +55,7 @@ host_time pins_ahead(void);            /* when it does so next */
 void pins_reach(host_time when);       /* let it do so at that time */
 void pins_contact(int pin, int other, int closed, host_time when);
 void pins_decay(int pin, double from_us, double lasts_us);      /* a capacitor is there, whose charge lasts so long from then on */
+void pins_pull(int pin, int up, host_time when);                /* a resistor holds a pin high that nobody drives, or none does */
 unsigned pins_levels(void);
 
 /* link.c */

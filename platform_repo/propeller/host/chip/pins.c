@@ -10,7 +10,7 @@ enum { OFF, PLL_INTERNAL, PLL, PLL_BOTH, NCO, NCO_BOTH, DUTY, DUTY_BOTH, HIGH, R
 static const double SLOWEST_WAVE_HZ = 20, FASTEST_EDGES_HZ = 200000;
 
 unsigned watched, asking[3], brief;
-static unsigned levels, driven, outside, outside_drives;
+static unsigned levels, driven, outside, outside_drives, pulled_up;
 static unsigned char shown[PINS];  /* 0, 1, 2 for not driven: as it is */
 static unsigned told[3];           /* pins of which each of these levels was told */
 static unsigned contacts[PINS];    /* the pins that a contact joins with each */
@@ -158,7 +158,7 @@ static void set_levels(unsigned now, host_time when) {
 
 /* What is at the pins that the program does not drive: what it drives at the other end of a contact, else what the world drives. */
 static unsigned from_outside(unsigned out) {
-  unsigned found = outside & outside_drives;
+  unsigned found = (outside & outside_drives) | (pulled_up & ~outside_drives);
   for (int pin = 0; pin < PINS; pin++)
     if (contacts[pin] & driven) found = (found & ~(1u << pin)) | (contacts[pin] & driven & out ? 1u << pin : 0);
   return found;
@@ -205,6 +205,11 @@ static void drive_outside(int pin, int level, host_time when) {
   unsigned mask = 1u << pin;
   outside_drives = level == 2 ? outside_drives & ~mask : outside_drives | mask;
   outside = level == 1 ? outside | mask : outside & ~mask;
+  set_levels((levels & driven) | (~driven & from_outside(levels)), when);
+}
+
+void pins_pull(int pin, int up, host_time when) {
+  pulled_up = up ? pulled_up | 1u << pin : pulled_up & ~(1u << pin);
   set_levels((levels & driven) | (~driven & from_outside(levels)), when);
 }
 

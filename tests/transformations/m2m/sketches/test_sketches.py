@@ -273,3 +273,14 @@ def test_the_eeprom_is_begun_where_setup_does_not_include_it(tmp_path: Path) -> 
     ]
     assert text(tmp_path, "eeprom_elsewhere/store.cpp").count("EEPROM.commit();") == 1
     assert not tasks(outcome, "RS504")
+
+
+def test_a_library_of_another_name_than_its_header_is_told_where_it_does_not_run(tmp_path: Path) -> None:
+    found = [task["location"]["line"] for task in tasks(migrated("of_header", tmp_path), "RS346")]
+    assert found == [1]
+
+
+def test_a_macro_in_a_file_of_its_own_follows_the_name_that_it_stands_for(tmp_path: Path) -> None:
+    assert migrated("renamed_macro", tmp_path).code in (0, 1)
+    assert text(tmp_path, "renamed_macro/conf.h").splitlines()[-1] == "#define SHOWN index_"
+    assert "int index_ = 3;" in text(tmp_path, "renamed_macro/renamed_macro.ino")
