@@ -30,7 +30,7 @@ from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.traces.activity import activity
 from robosmi.verify.traces.vcd import vcd_text
-from robosmi.verify.traces.verdict import AT_THE_PINS, Judge, judged_lines
+from robosmi.verify.traces.verdict import AT_THE_PINS, Judge, judge_lines
 
 CRASHED = "RS854"
 """The rule for a program that crashed."""
@@ -102,7 +102,7 @@ class Simulated(Struct):
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
         names = [f"'{each.name}'" for each in self.compiled.libraries if each.source == STAND_IN]
-        lines += [f"  {said}" for said in judged_lines(self.judged_at, self.not_compiled)]
+        lines += [f"  {said}" for said in judge_lines(self.judged_at, self.not_compiled)]
         if self.compiled.stand_in_core:
             lines.append(f"  with a stand-in for the missing core {self.compiled.stand_in_core}")
         elif names:

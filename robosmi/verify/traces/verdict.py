@@ -311,7 +311,7 @@ class Verdict(Struct):
         return "; ".join([said, *self._judged(), *self._stood_in(), *self.all_reasons()])
 
     def _judged(self) -> list[str]:
-        return judged_lines(self.judged_at, self.not_compiled)
+        return judge_lines(self.judged_at, self.not_compiled)
 
     def _many(self) -> str:
         return quantity(len(self.scenarios), "test case")
@@ -411,7 +411,7 @@ class Verdict(Struct):
         return lines
 
 
-def judged_lines(judge: Judge, not_compiled: str) -> list[str]:
+def judge_lines(judge: Judge, not_compiled: str) -> list[str]:
     """What a result is worth, in words; nothing for one at the pins.
 
     Args:

@@ -14,9 +14,11 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import type_of
+from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
 from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
+from robosmi.transformations.queries.flows.listed_values import designates, listed_types
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
@@ -27,7 +29,6 @@ from robosmi.transformations.queries.flows.pointers import (
 )
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
-from robosmi.transformations.queries.library_pins import may_be_pin
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 
@@ -63,7 +64,7 @@ class FlowReader:
         for function in (e for view in views for e in view.elements if isinstance(e, ccode.Function) and e.definition):
             if isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)):
                 self._members.setdefault(str(function.name), []).append(function)
-        self._classes = Classes(views)
+        self.classes = Classes(views)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
@@ -207,10 +208,10 @@ class FlowReader:
         return self._once(("element", id(call)), f"'{name}' returns it (line {call.line})")
 
     def _member(self, member: ccode.Member) -> Hashable:
-        if member.object is None and _designates(member):
+        if member.object is None and designates(member):
             return self.key(member)
         if member.object is None:  # of the object that a method is called for
-            record = self._classes.around(member)
+            record = self.classes.around(member)
             if record is not None and any(field.name == member.name for field in record.fields):
                 return self._own_field(str(member.name), record)
             return self._once(self._field(str(member.name), None), f"'{member.name}' is a member of another class")
@@ -227,7 +228,7 @@ class FlowReader:
         known = self._fields.setdefault(name, {})
         if key not in known:
             known[key] = None
-            if record is None or record not in self._classes.constructed:
+            if record is None or record not in self.classes.constructed:
                 self.flows.freeze(key, f"'{name}' is a member of a structure")
             if (unknown := ("field", name, None)) in known:
                 for other in known:
@@ -374,16 +375,15 @@ class FlowReader:
         """Give the parameters of a function their default arguments, which its declaration in a class may have."""
         for position, parameter in enumerate(function.parameters):
             if parameter.defaultValue is not None:
-                same = [function] if function.definition else self._classes.definitions(function) or [function]
-                for definition in same:
-                    if position < len(definition.parameters):
-                        self._give(self.key(definition.parameters[position]), parameter.defaultValue)
+                same = [function] if function.definition else self.classes.definitions(function) or [function]
+                for definition in (each for each in same if position < len(each.parameters)):
+                    self._give(self.key(definition.parameters[position]), parameter.defaultValue)
 
     def _unseen_calls(self, function: ccode.Function) -> None:
         """Keep the numbers of what constructors and operators are given, since the code model does not have their calls."""
         around = function.eContainer()
         constructor = isinstance(around, ccode.Record) and function.name == around.name
-        hidden = str(function.name).startswith("operator") or (constructor and not self._classes.is_visible(str(function.name)))
+        hidden = str(function.name).startswith("operator") or (constructor and not self.classes.is_visible(str(function.name)))
         for parameter in function.parameters if hidden else ():
             self.flows.freeze(self.key(parameter), f"'{function.name}' is given it without a call in the text", computed=True)
 
@@ -395,10 +395,10 @@ class FlowReader:
         view: CodeView,
     ) -> None:
         """Join what an object is made with, with the parameters of its class's constructors, or let it end in pins."""
-        for function in self._classes.constructors(name, len(arguments)):
+        for function in self.classes.constructors(name, len(arguments)):
             for parameter, argument in zip(function.parameters, arguments, strict=False):
                 self._give(self.key(parameter), argument)
-        for pin in self.constructor_pins(name, view, arguments):
+        for pin in constructor_pins(self.classes, name, view, arguments):
             if pin.position < len(arguments):
                 argument = arguments[pin.position]
                 start, end = int(argument.startOffset), int(argument.endOffset)
@@ -406,11 +406,11 @@ class FlowReader:
 
     def _initial_member(self, initial: ccode.MemberInitializer, view: CodeView) -> None:
         """Give a member the value that a constructor initialises it with; a base class is constructed with it."""
-        record = self._classes.around(initial)
+        record = self.classes.around(initial)
         field = next((f for f in record.fields if f.name == initial.name), None) if record is not None else None
         kind = str(initial.name) if field is None else type_name(field.valueType)
         arguments = list(initial.arguments)
-        if field is None or self._classes.constructors(kind, len(arguments)) or self.constructor_pins(kind, view):
+        if field is None or self.classes.constructors(kind, len(arguments)) or constructor_pins(self.classes, kind, view):
             self._constructed(kind, arguments, initial, view)
         elif record is not None and len(arguments) == 1:
             self._give(self._own_field(str(field.name), record), arguments[0])
@@ -439,7 +439,7 @@ class FlowReader:
         inside = isinstance(around, ccode.Assignment) and isinstance(around.eContainer(), ccode.InitializerList)
         if inside or isinstance(around, (ccode.Variable, ccode.InitializerList)) or not values.elements:
             return
-        types = self._types_listed(values, around)
+        types = listed_types(values, self.classes, self.sources, self.called)
         for use in types:
             for member, value in members_given(use, values):
                 self._give(self._field(str(member.name), record_key(member.eContainer())), value)
@@ -448,71 +448,6 @@ class FlowReader:
             for field in (field for record in records for field in record.fields):
                 key = self._field(str(field.name), record_key(field.eContainer()))
                 self.flows.freeze(key, f"a list may give it a value (line {values.line})", computed=True)
-
-    def _types_listed(self, values: ccode.InitializerList, around: Element | None) -> list[ccode.TypeUse]:
-        """The types that a list of values may be of; empty where the text does not say one."""
-        found: list[ccode.TypeUse | None] = []
-        if isinstance(around, ccode.Cast) and around.target is not None:
-            found = [around.target]
-        elif isinstance(around, ccode.Cast) or (isinstance(around, ccode.Unary) and around.operator == "new"):
-            unit = ancestor_of_kind(around, ccode.SourceUnit)
-            text = self.sources[unit.path][around.startOffset : values.startOffset] if unit is not None else b""
-            record = self._classes.named(text.decode("latin-1").strip().rpartition(" ")[2].rpartition("::")[2])
-            found = [ccode.TypeUse(declaration=record)] if record is not None else []
-        elif isinstance(around, (ccode.Field, ccode.Parameter)):
-            found = [around.valueType]
-        elif isinstance(around, ccode.Return):
-            function = ancestor_of_kind(around, ccode.Function)
-            found = [function.returnType] if function is not None else []
-        elif isinstance(around, ccode.Assignment):
-            kind = type_of(around.left, {})
-            found = [ccode.TypeUse(declaration=kind.declaration)] if kind is not None and kind.declaration is not None else []
-        elif isinstance(around, ccode.Call):
-            place = list(around.arguments).index(values)
-            found = [f.parameters[place].valueType for f in self.called(around) if place < len(f.parameters)]
-        return [use for use in found if use is not None]
-
-    def takes(self, made: Element | None, position: int, view: CodeView) -> bool:
-        """Whether it is followed what becomes of an argument of a construction."""
-        if isinstance(made, ccode.ConstructorCall):
-            name, count = str(made.className), len(made.arguments)
-        elif isinstance(made, ccode.MemberInitializer):
-            record = self._classes.around(made)
-            field = next((f for f in record.fields if f.name == made.name), None) if record is not None else None
-            name, count = str(made.name) if field is None else type_name(field.valueType), len(made.arguments)
-            if field is not None and count == 1 and not self._classes.is_visible(name) and not self.constructor_pins(name, view):
-                return True
-        else:
-            return False
-        own = self._classes.constructors(name, count)
-        pins = self.constructor_pins(name, view, list(made.arguments))
-        return bool(own) or any(pin.position == position for pin in pins)
-
-    def constructor_pins(self, name: str, view: CodeView, arguments: Sequence[ccode.Expression] = ()) -> Sequence[PinParameter]:
-        """The parameters of a class's constructors that are pins for the platform or for a library; none for an own class.
-
-        Of a class that nobody knows, those are taken for pins whose arguments are called so.
-        """
-        if self._classes.is_own(name):
-            return ()
-        entry = view.resolve(name)
-        facts = view.api.pins(name, entry.header if entry is not None else "")
-        if facts is not None or entry is not None or view.api.board is None:
-            return facts.parameters if facts is not None else ()
-        return called_pins(arguments)
-
-    def method_pins(self, call: ccode.Call, view: CodeView) -> tuple[str, Sequence[PinParameter]] | None:
-        """The name of a method of a class that the reader does not know, and its parameters that are pins; None for any other."""
-        callee = call.calleeExpression
-        if view.api.board is None or call.callee is not None or not isinstance(callee, ccode.Member):
-            return None
-        held = callee.object
-        target = held.target if isinstance(held, ccode.NameReference) else None
-        kind = type_name(target.valueType) if isinstance(target, (ccode.Variable, ccode.Parameter)) else ""
-        if not kind or self._classes.is_own(kind) or view.resolve(kind) is not None:
-            return None
-        facts = view.api.pins(f"{kind}::{callee.name}", "")
-        return str(callee.name), facts.parameters if facts is not None else called_pins(list(call.arguments))
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -569,7 +504,7 @@ class FlowReader:
                 for parameter, argument in zip(function.parameters, arguments, strict=False):
                     self._give(self.key(parameter), argument)
             return
-        if (method := self.method_pins(call, view)) is not None:
+        if (method := method_pins(self.classes, call, view)) is not None:
             for pin in method[1]:
                 if pin.position < len(arguments):
                     self._pin(method[0], pin, call, view)
@@ -660,24 +595,6 @@ class FlowReader:
         return list(dict.fromkeys(found))
 
 
-def called_pins(arguments: Sequence[ccode.Expression]) -> list[PinParameter]:
-    """The arguments that are names of pins, as parameters."""
-    return [
-        PinParameter(position, str(argument.name), "unknown")
-        for position, argument in enumerate(arguments)
-        if isinstance(argument, ccode.NameReference) and may_be_pin(str(argument.name))
-    ]
-
-
 def view_text(data: bytes, start: int, end: int) -> str:
     """The text of a byte range of a unit, without white space around it."""
     return data[start:end].decode("utf-8", errors="replace").strip()
-
-
-def _designates(member: ccode.Member) -> bool:
-    """Whether a member without an object says in a list of initial values which member a value is for."""
-    inner: Element = member
-    outer = member.eContainer()
-    while isinstance(outer, (ccode.Member, ccode.Index)):
-        inner, outer = outer, outer.eContainer()
-    return isinstance(outer, ccode.Assignment) and outer.left is inner and isinstance(outer.eContainer(), ccode.InitializerList)

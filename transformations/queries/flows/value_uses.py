@@ -10,6 +10,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.class_pins import follows_argument, method_pins
 from robosmi.transformations.queries.flows.flow_reader import FlowReader
 from robosmi.transformations.queries.flows.pointers import gives_access
 from robosmi.transformations.queries.numbers import COMPARISONS
@@ -87,7 +88,7 @@ class ValueUses:
         if isinstance(parent, (ccode.ConstructorCall, ccode.MemberInitializer)):
             position = next((i for i, a in enumerate(parent.arguments) if a is expression), -1)
             made = parent.className if isinstance(parent, ccode.ConstructorCall) else parent.name
-            return "" if self.reader.takes(parent, position, view) else f"{name} goes to '{made}' {line}"
+            return "" if follows_argument(self.reader.classes, parent, position, view) else f"{name} goes to '{made}' {line}"
         return f"{name} is {'an index' if kind == 'Index' else 'tested' if kind in _TESTS else 'used in another way'} {line}"
 
     def _passed(self, expression: ccode.Expression, call: ccode.Call, view: CodeView, name: str, line: str) -> str:
@@ -98,7 +99,7 @@ class ValueUses:
         if own := self.reader.called(call):
             taken = all(position < len(function.parameters) for function in own)
             return "" if taken else f"{name} goes to '{call.calleeName}' {line}"
-        method = self.reader.method_pins(call, view)
+        method = method_pins(self.reader.classes, call, view)
         if method is not None and any(p.position == position for p in method[1]):
             return ""
         if any(p.position == position for p in self.reader.pins(str(call.calleeName or ""), view)):
