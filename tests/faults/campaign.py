@@ -25,7 +25,7 @@ from msgspec.structs import replace
 import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.stages.models import load_models
-from robosmi.transformations.chains.verify import FOLDER, Verified, _board, _original, verify
+from robosmi.transformations.chains.verify import FOLDER, Verified, board_of, stored_original, verify
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
@@ -117,7 +117,7 @@ class Study:
         models = load_models(out / "models" / "plan.xmi")
         ports = bound_ports(models.plan, out / "models")
         (place / "source").mkdir()
-        program = _original(models, place / "source")
+        program = stored_original(models, place / "source")
 
         def case(path: Path) -> Case:
             scenario = read_scenario(path, "stored")
@@ -143,7 +143,7 @@ class Study:
 
     def reached(self) -> dict[str, set[int]]:
         """The executed lines: file of the sketch -> lines with an instruction that runs in some scenario."""
-        board = _board(self._models, self.right.compiled)
+        board = board_of(self._models, self.right.compiled)
         with tempfile.TemporaryDirectory(dir=self.place) as place, ThreadPoolExecutor(_CORES) as pool:
             report = built_for_lines(self.out, Path(place))
             devices = [(scenario, played(self.ports, scenario, True)) for scenario, _ in self.cases]
@@ -169,7 +169,7 @@ class Study:
                 return Outcome("not-compiled")
             if report.hex.read_bytes() == self.machine_code:
                 return Outcome("same machine code")
-            side = TargetSide(_board(self._models, report), report, self.ports)
+            side = TargetSide(board_of(self._models, report), report, self.ports)
             try:
                 return self._compared(side, early)
             except RobosmiError as error:

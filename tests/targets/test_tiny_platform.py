@@ -49,7 +49,7 @@ def test_its_functions_get_adapters_and_its_ports_the_pins_that_a_person_names(o
 
 def test_a_port_that_it_does_not_have_is_no_port(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROBOSMI_PATH", str(DATA))
-    words = ["--source-platform", "octo", "--target", "uno", "-o", tmp_path, "--yes", "--bind"]
+    words: list[str | Path] = ["--source-platform", "octo", "--target", "uno", "-o", tmp_path, "--yes", "--bind"]
     assert run("migrate", DATA / "program" / "lamp.c", *words, "pin8=D4").code == 2
     assert run("migrate", DATA / "program" / "lamp.c", *words, "P2=D4").code == 2
 
