@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.compared_outputs import compared_outputs
 from robosmi.transformations.verification.judgement.verdict import verdict_of, why_nothing_was_compared
-from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.transformations.verification.original_side import DRIVEN, SourceRuns, channel_events
 from robosmi.transformations.verification.pause_comparison import PAUSES
 from robosmi.verify.original import OriginalRun
 from robosmi.verify.scenario import Scenario
@@ -119,6 +119,13 @@ def test_a_sensor_that_the_program_asks_is_no_output() -> None:
     channels = (ChannelComparison("P26", "same", events=2), ChannelComparison(f"P8{PAUSES}", "same", events=1))
     verdict = Verdict([ScenarioVerdict(SCENARIO, "no-difference-found", channels, 1000.0)])
     assert compared_outputs(verdict, ports) == {"P26": True}
+
+
+def test_an_input_that_the_program_also_drives_is_an_output() -> None:
+    ports = [BoundPort("D5", "D5", "D5", device="levels", pin="pin"), BoundPort("D6", "D6", "D6", device="levels", pin="pin")]
+    channels = (ChannelComparison(f"D5{DRIVEN}", "same", events=60), ChannelComparison(f"D6{DRIVEN}", "not-exercised"))
+    verdict = Verdict([ScenarioVerdict(SCENARIO, "no-difference-found", channels, 1000.0)])
+    assert compared_outputs(verdict, ports) == {"D5": True}
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from pathlib import Path
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.programs.live_code import live_in
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, STANDING
 from robosmi.transformations.verification.pause_comparison import PAUSES
 from robosmi.transformations.verification.rest_comparison import RESTING
@@ -26,7 +27,7 @@ def compared_outputs(
 
     These are the ports that the program drives, what devices such as displays receive, the lines of buses, the console if the
     program prints, and the EEPROM if it stores something. A port of the source that is several pins of the target is one that is
-    not compared. An output that only unreachable code drives is none.
+    not compared. An output that only unreachable code drives is none. An input that the program also drives is one.
 
     Args:
         verdict: the verdict, with its scenarios.
@@ -39,13 +40,14 @@ def compared_outputs(
         for port in ports
         if port.target and (port.watched or port.line or port.shares_with) and port.title not in idle
     }
+    inputs = {port.title for port in ports if device_facts().get(port.device, {}).get("driven_as_output")}
     for channel in verdict.channels():
         name, status = str(channel["name"]), channel["status"]
         if name.endswith(PAUSES) or (status == NOT_EXERCISED and (name in (PROGRAM, CONSOLE_CHANNEL) or name in idle)):
             continue  # a sensor that the program asks is no output
         if not name.endswith(_ASPECTS):
             found[name] = found.get(name, False) or status in (SAME, DIFFERENT)
-        elif (output := _output(name)) in found and status in (SAME, DIFFERENT):
+        elif status in (SAME, DIFFERENT) and ((output := _output(name)) in found or output in inputs):
             found[output] = True
     found |= {name: False for name in (CONSOLE_CHANNEL, EEPROM_CHANNEL) if name in verdict.not_compared}
     return found
