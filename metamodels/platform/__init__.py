@@ -234,6 +234,8 @@ class Platform(Element, metaclass=MetaEClass):
     """True if programs can start code on several cores."""
     portCount: int = EAttribute(eType=EInt)
     """The number of ports of its boards, numbered from 0; 0 if unknown."""
+    portPrefix: str = EAttribute(eType=EString, default_value="P")
+    """What stands in front of a port's number where no board names its pins."""
     architecture: str = EAttribute(eType=EString, default_value="")
     """Name of the processor architecture as libraries declare it."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
@@ -301,6 +303,7 @@ class Platform(Element, metaclass=MetaEClass):
             losesLevel: bool | None = None,
             hasCogs: bool | None = None,
             portCount: int | None = None,
+            portPrefix: str | None = None,
             architecture: str | None = None,
             coreVersion: str | None = None,
             coreName: str | None = None,

@@ -27,7 +27,8 @@ from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Session
-from robosmi.model.xmi.xml_comments import comments_lost, lost_comments
+from robosmi.model.xmi.saved_places import lost_comment_lines
+from robosmi.model.xmi.xml_comments import lost_comments
 from robosmi.query import ModelView
 from robosmi.query.rules.rule_language import failed, owner_of, place_of, technology
 from robosmi.transform import ETL, Flock
@@ -163,7 +164,7 @@ def _store(model: Model, doing: StepContext) -> list[Finding]:
     """Save a user's model again; an old file with comments, which a model does not contain, is renamed and reported."""
     path = Path(str(model.path))
     old = inputs.read_bytes(path, inputs.MODEL) if path.is_file() else b""
-    lost = comments_lost(old, _stored(model))
+    lost = lost_comment_lines(path, old, _stored(model))
     name = relative(path, doing.folder)
     if not lost:
         model.save()

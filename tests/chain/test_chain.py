@@ -230,37 +230,36 @@ RULES = """
 from robosmi.validate import EVL, Fail, Fix
 
 def rules(v, m):
-    @v.context("EClass").constraint
-    def HasADescription(c):
-        return c.name != "Plain" or Fail("plain", Fix("rename it", lambda c: setattr(c, "name", "Renamed")))
+    @v.context("Graph").constraint
+    def HasAName(g):
+        return g.name != "plain" or Fail("plain", Fix("rename it", lambda g: setattr(g, "name", "renamed")))
 """
-COMMENTED = """<?xml version="1.0" encoding="UTF-8"?>
-<!-- by hand -->
-<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
-    xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="p" nsURI="http://nowhere/p" nsPrefix="p">
-  <eClassifiers xsi:type="ecore:EClass" name="Plain"/>
-</ecore:EPackage>
+YAML = """# by hand
+eClass: http://example.org/g#//Graph
+name: plain
 """
 RENAMING = """
 [[step]]
 load = "m"
-file = "p.ecore"
+file = "m.yaml"
+metamodel = "g.ecore"
 
 [[step]]
 validate = "rules.py:rules"
 models = "m"
 """
+GRAPHS = Path(__file__).parents[1] / "model" / "split" / "g.ecore"
 
 
 def test_the_old_file_of_a_model_that_loses_comments_is_kept_once(tmp_path: Path) -> None:
-    for name, text in (("rules.py", RULES), ("p.ecore", COMMENTED), ("chain.toml", RENAMING)):
+    for name, text in (("rules.py", RULES), ("m.yaml", YAML), ("chain.toml", RENAMING), ("g.ecore", GRAPHS.read_text())):
         (tmp_path / name).write_text(text)
     result = read_chain(tmp_path / "chain.toml").run(fix="first")
     assert [f.rule for f in result.findings] == ["RS524"]
-    assert "p.ecore.orig" in result.findings[0].message
-    assert (tmp_path / "p.ecore.orig").read_text() == COMMENTED
-    assert 'name="Renamed"' in (tmp_path / "p.ecore").read_text()
-    assert [path.name for path in tmp_path.glob("*.orig*")] == ["p.ecore.orig"]
+    assert "m.yaml.orig" in result.findings[0].message
+    assert (tmp_path / "m.yaml.orig").read_text() == YAML
+    assert 'name: "renamed"' in (tmp_path / "m.yaml").read_text()
+    assert [path.name for path in tmp_path.glob("*.orig*")] == ["m.yaml.orig"]
 
 
 def test_a_model_that_a_fix_changes_keeps_its_comments(site: Path) -> None:

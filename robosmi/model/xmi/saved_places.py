@@ -157,10 +157,8 @@ def back_up_comments(target: Path, text: bytes) -> Path | None:
     Returns:
         The copy, or None if nothing is lost.
     """
-    if is_json(target) or not target.is_file():
-        return None
-    old = inputs.read_bytes(target, inputs.MODEL)
-    if not (_yaml_comments_lost(old, text) if is_yaml(target) else comments_lost(old, text)):
+    old = inputs.read_bytes(target, inputs.MODEL) if target.is_file() else b""
+    if not lost_comment_lines(target, old, text):
         return None
     copy = target.with_name(free_name(target.parent, f"{target.name}.orig"))
     write_atomic(copy, old)
@@ -170,9 +168,23 @@ def back_up_comments(target: Path, text: bytes) -> Path | None:
 _YAML_COMMENT = re.compile(rb"^[ \t]*#|[ \t]#", re.MULTILINE)
 
 
-def _yaml_comments_lost(old: bytes, new: bytes) -> bool:
-    """Whether a text in YAML may have comments that another lacks; a `#` in a value counts in both."""
-    return len(_YAML_COMMENT.findall(old)) > len(_YAML_COMMENT.findall(new))
+def lost_comment_lines(target: Path, old: bytes, new: bytes) -> list[int]:
+    """The lines of a file of a model with comments that what is written in its place lacks.
+
+    Args:
+        target: the file, whose name says the form.
+        old: its bytes.
+        new: what is written.
+    """
+    if is_json(target):
+        return []
+    if not is_yaml(target):
+        return comments_lost(old, new)
+    if len(_YAML_COMMENT.findall(old)) <= len(_YAML_COMMENT.findall(new)):  # a `#` in a value counts in both
+        return []
+    staying = set(new.splitlines())
+    lines = enumerate(old.splitlines(), 1)
+    return [number for number, line in lines if _YAML_COMMENT.search(line) and line not in staying]
 
 
 def _has_more(original: bytes, written: bytes) -> bool:

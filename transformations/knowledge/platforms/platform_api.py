@@ -53,7 +53,7 @@ _PORTS = 32
 """Number of ports if the platform states none: the bits of a word."""
 
 
-_PREFIX = "P"
+PREFIX = "P"
 """What stands in front of a port's number if the platform states nothing."""
 
 
@@ -134,7 +134,7 @@ class ApiIndex:
     @property
     def _port_prefix(self) -> str:
         """What stands in front of a port's number where no board names its pins."""
-        return str(self.settings.get("ports", {}).get("prefix", _PREFIX))
+        return str(self.settings.get("ports", {}).get("prefix", PREFIX))
 
     @cached_property
     def pin_constants(self) -> Mapping[str, int]:
@@ -352,7 +352,7 @@ class StoredFacts:
             for declared in header.types:
                 self._add(str(declared.name), ApiEntry(name, "type", str(declared.form)))
         self.registers = frozenset(registers)
-        self.settings["ports"] = {"registers": bits}
+        self.settings["ports"] = {"registers": bits, "prefix": str(model.portPrefix)}
         if model.portCount:
             self.settings["ports"]["count"] = model.portCount
 

@@ -63,7 +63,8 @@ def _add_target(folder: Path, repository: platform.PlatformRepository, source: p
     made = target_platform(folder.name)
     if source is not None:
         made.headers.extend([*source.headers])
-        made.attributeMacros, made.portCount = [*source.attributeMacros], source.portCount
+        made.attributeMacros = [*source.attributeMacros]
+        made.portCount, made.portPrefix = source.portCount, source.portPrefix
     repository.platforms.append(made)
     chips: dict[str, platform.Microcontroller] = {}
     for short in mapped_boards(folder.name):

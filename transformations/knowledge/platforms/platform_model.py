@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.metamodels import platform as pf
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import COMPILER, DIRECTIONS, RELATIONS, ApiEntry, PinParameter
-from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import PREFIX, ApiIndex
 
 _FUNCTION = re.compile(r"\(\s*(\w+)\s*\)\s*\(")
 
@@ -57,6 +57,7 @@ def platform_part(
         charSigned=settings["char_signed"],
         hasCogs=settings["has_cogs"],
         portCount=int(settings.get("ports", {}).get("count", 0)),
+        portPrefix=str(settings.get("ports", {}).get("prefix", PREFIX)),
         architecture=settings.get("architecture", ""),
         attributeMacros=list(settings["parser"].get("attribute_macros", [])),
         headers=[_header(api, header, entries) for header, entries in sorted(by_header.items())],

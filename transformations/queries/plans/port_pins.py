@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from robosmi.errors import PlatformDataError
 from robosmi.metamodels import migration, platform
 from robosmi.query import root_of
 from robosmi.transformations.knowledge.platforms.board_pins import board_pins
-from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import PREFIX
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
@@ -41,14 +40,8 @@ def source_name(binding: migration.PortBinding) -> str:
 
 
 def number_name(source: platform.Platform | None, number: int) -> str:
-    """What a port of a platform whose programs name no board is called by its number.
-
-    Where the platform's data is not at hand, as with a plan from elsewhere, it is called as on most.
-    """
-    try:
-        return ApiIndex.load(str(source.name)).port_name(number) if source is not None else f"P{number}"
-    except PlatformDataError:
-        return f"P{number}"
+    """What a port of a platform whose programs name no board is called by its number."""
+    return f"{source.portPrefix if source is not None else PREFIX}{number}"
 
 
 def port_text(binding: migration.PortBinding) -> str | None:

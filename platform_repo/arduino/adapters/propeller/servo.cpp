@@ -307,7 +307,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   limit rp2040: widths from 200 to 2,900 us
 //#   range avr: time 40..2900 or 0: the pulse is made 40 or 2,900 us long
 //#   range rp2040: time 200..2900 or 0: the pulse is made 200 or 2,900 us long
-//#   stack: 36 20
+//#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_set(int32_t pin, int32_t time) {
   if (!Io(pin).wired()) return 0;
@@ -343,7 +343,7 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
 //#   fidelity: 500 us and one more for each tenth of a degree, as there
 //#   range avr: degreeTenths -460..2400 or -500: the pulse is made 40 or 2,900 us long
 //#   range rp2040: degreeTenths -300..2400 or -500: the pulse is made 200 or 2,900 us long
-//#   stack: 36 20
+//#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
   return servo_set(pin, degreeTenths + 500);
@@ -357,7 +357,7 @@ inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
 //#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
 //#   range avr: speed -1460..1400 or -1500: the pulse is made 40 or 2,900 us long
 //#   range rp2040: speed -1300..1400 or -1500: the pulse is made 200 or 2,900 us long
-//#   stack: 36 20
+//#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_speed(int32_t pin, int32_t speed) {
   int32_t us = speed + 1500;
@@ -413,7 +413,7 @@ inline int32_t servo_setramp(int32_t pin, int32_t stepSize) {
 //#   needs: servo_set
 //#   pin: pin digital out servo
 //#   fidelity: as there: the pin becomes an input; a pulse under way is ended first, for which it waits up to 3 ms
-//#   stack: 20 12
+//#   stack: 22 14
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_disable(int32_t pin) {
   return servo_set(pin, 0);
@@ -424,7 +424,7 @@ inline int32_t servo_disable(int32_t pin) {
 //#   kind: oneToMany
 //#   needs: ServoSlot
 //#   fidelity: all pulses end and the pins become inputs; they go on with the next call of servo_set and its like, as there
-//#   stack: 22 12
+//#   stack: 24 14
 //#   interrupt: TIMER1_COMPA_vect 21
 inline void servo_stop() {
   for (auto &slot : servo_slots)

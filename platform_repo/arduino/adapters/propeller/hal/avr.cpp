@@ -194,7 +194,6 @@ struct KnownIo {
 // ---------------------------------------------------------------- time of edges
 
 //# helper PinInput
-//#   needs: Io
 struct PinInput {  // the level of a wired pin, read fast
   volatile uint8_t *in;
   uint8_t mask;
