@@ -158,12 +158,14 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         PlatformDataError: a toolchain's data is damaged.
         SourceError: found data that names programs is not trusted.
     """
+    packages = [_package(name, *facts) for name, facts in PACKAGES.items()]
     with acting(project):
         toolchains = load_toolchains(project)
+        uploaders = _uploaders(toolchains, project) if all(each.found for each in packages) else ()  # boards are models
         groups = {
-            READ: [_package(name, module, needed_for) for name, (module, needed_for) in PACKAGES.items()],
+            READ: packages,
             COMPILE: [each for toolchain in toolchains for each in (*_programs(toolchain), _core(toolchain))],
-            UPLOAD: [*_uploaders(toolchains, project), *_managers(toolchains)],
+            UPLOAD: [*uploaders, *_managers(toolchains)],
             ORIGINALS: [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)],
         }
     groups[SIMULATE] = [_engine(name) for name in engine_names()]

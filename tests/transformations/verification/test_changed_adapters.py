@@ -19,7 +19,7 @@ PROGRAM = Path(__file__).parent / "programs" / "button.c"
 SCENARIO = "horizon_ms = 2500\n[signals]\nP3 = [[0, 0], [500, 1], [900, 0]]\n"
 SPOILT = {
     "pin": (
-        "digitalWrite(io.pin, value);", "io = Io(io.pin - 1); digitalWrite(io.pin, value);",
+        "KnownIo(pin).level(true);", "KnownIo(pin - 1).level(true);",
         "high", 11, "Lamp (P26)", "",
     ),
     "time": (

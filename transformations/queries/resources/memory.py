@@ -282,13 +282,13 @@ def _kept_texts(text: str) -> Iterator[str]:
 
 
 def _for_compiler(before: Sequence[Token]) -> bool:
-    """Whether the next token is inside an `asm` statement or an attribute."""
+    """Whether the next token is inside an `asm` statement or an attribute, or is a constant of compile time."""
     depth = 0
     for *_, word in reversed(before):
         depth += (word == ")") - (word == "(")
         if word in (";", "{", "}"):
             return False
-        if depth < 0 and word in _COMPILER:
+        if word == "constexpr" or (depth < 0 and word in _COMPILER):
             return True
     return False
 
