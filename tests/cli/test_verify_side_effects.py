@@ -53,7 +53,7 @@ CHANGES = {
     "a line that is never let go": (r"set_direction\(6, 0\)", "set_direction(6, 1)", "P6, as it is driven", ()),
     "a line that is never driven": (r"set_direction\(6, 1\)", "set_direction(6, 0)", "P6, as it is driven", ()),
     "a line that is driven too long": (r"pause\(50\)", "pause(54)", "P6, as it is driven", ("54.", "50.")),
-    "a shorter pulse": (r"pulse_out\(9, 40\)", "pulse_out(9, 10)", "P9, its pulses", ("10.1 us", "40")),
+    "a shorter pulse": (r"pulse_out\(9, 40\)", "pulse_out(9, 10)", "P9, its pulses", ("9.9 us", "40")),
     "a longer pulse": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1560)", "P10, its pulses", ("1500",)),
     "a pulse within what may be off": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1512)", "", ()),
 }

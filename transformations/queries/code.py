@@ -149,7 +149,7 @@ class CodeView:
     @cached_property
     def reached_values(self) -> ReachedValues:
         """The values that expressions of the unit may have while the program runs."""
-        return ReachedValues(self.program, self.unit, self.api.pin_constants)
+        return ReachedValues(self.program, self.unit, self.api.pin_constants, self._takes_pins)
 
     def called(self) -> dict[str, CalledFunction]:
         """Every function that is called and not defined in the program, by name, without computed callees and pure methods."""

@@ -92,7 +92,7 @@ def _of_calls(views: Sequence[CodeView], rule: DataTable) -> Iterator[WiredDevic
     """A device for each call that connects one."""
     pins, said = rule.numbers_by_name("pins"), rule.numbers_by_name("settings")
     for view, call in _calls(views, rule.texts("calls")):
-        values = Values(view.program, view.unit)
+        values = view.values
         connected: dict[str, int] = {}
         for name, position in pins.items():
             numbers = _ports(view, call, position, values)
@@ -144,7 +144,7 @@ def _of_pairs(views: Sequence[CodeView], kind: str, pair: DataTable) -> Iterator
 
 def _placed(view: CodeView, places: Sequence[str]) -> list[tuple[ccode.Call, list[int]]]:
     """The calls of a unit with one of these arguments (`function position`), each with the ports that the argument can be."""
-    values = Values(view.program, view.unit)
+    values = view.values
     found = []
     for place in places:
         function, _, position = place.partition(" ")
@@ -165,7 +165,7 @@ def _told(views: Sequence[CodeView], place: str) -> list[int]:
     function, _, position = place.partition(" ")
     numbers: list[int] = []
     for view, call in _calls(views, (function,)) if position else ():
-        numbers += _ports(view, call, int(position), Values(view.program, view.unit))
+        numbers += _ports(view, call, int(position), view.values)
     return list(dict.fromkeys(numbers))
 
 
