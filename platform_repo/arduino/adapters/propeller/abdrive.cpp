@@ -237,8 +237,8 @@ static DriveCounts drive_counts_from_its_start;
 //#   fidelity: acts on a change only, and returns after 6 frames (100 to 120 ms), later when a wheel rests, while the ramp goes on; the
 //#   fidelity: first call starts the drive, which takes 140 ms
 //#   ram: 4
-//#   stack: 48 30
-//#   interrupt: TIMER0_COMPA_vect 61 59
+//#   stack: 50 32
+//#   interrupt: TIMER0_COMPA_vect 63 61
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_head_for(int16_t left, int16_t right) {
@@ -277,8 +277,8 @@ inline void drive_speed(int32_t left, int32_t right) {
 //#   needs: drive_speed
 //#   role: servo
 //#   fidelity: the same as drive_speed, as there since version 2
-//#   stack: 48 30
-//#   interrupt: TIMER0_COMPA_vect 61 59
+//#   stack: 50 32
+//#   interrupt: TIMER0_COMPA_vect 63 61
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_rampStep(int32_t left, int32_t right) {
@@ -292,8 +292,8 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   role: servo
 //#   fidelity: returns when one of the wheels is within 4 ticks/s, as there
 //#   limit: two speeds beyond the limit of drive_setMaxSpeed are never reached: it returns at the limit, where the library waits for ever
-//#   stack: 63 43
-//#   interrupt: TIMER0_COMPA_vect 61 59
+//#   stack: 65 45
+//#   interrupt: TIMER0_COMPA_vect 63 61
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline bool drive_is_near(uint8_t side, int32_t asked) {
@@ -388,10 +388,10 @@ inline bool drive_on_the_way() {
 //#   role: encoder
 //#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever
-//#   stack: 102 82
+//#   stack: 106 86
 //#   interrupt: TIMER0_COMPA_vect 30 30
 //#   interrupt: TIMER1_COMPA_vect 21
-//#   interrupt: TIMER1_COMPB_vect 62 62
+//#   interrupt: TIMER1_COMPB_vect 64 64
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
   int32_t way[2] = {distLeft, distRight};
   (void)drive_counts_from_its_start;
