@@ -66,7 +66,8 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
         raise MissingToolError(
             "a cluster needs the package distributed", fix="install it: pip install 'robosmi[cluster]'"
         ) from error
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # a lost connection is our own message
+    for name in ("client", "batched"):  # a lost connection is our own message
+        logging.getLogger(f"distributed.{name}").setLevel(logging.CRITICAL)
     lost = SourceError(
         f"the scheduler {scheduler} does not answer any more",
         fix="start it and run the same command again: what is stored stays",

@@ -97,7 +97,7 @@ class EcoreFiles:
         """Read a file, or give it again.
 
         Raises:
-            SourceError: it cannot be read, is no XML, or has a root that is no EPackage and no classifier.
+            SourceError: it cannot be read, is no XML, or has other roots than EPackages alone or classifiers alone.
         """
         place = Path(os.path.realpath(path))
         if place in self._files:
@@ -108,7 +108,8 @@ class EcoreFiles:
         for node in roots:
             if node.tag in CLASSIFIERS:
                 node.kind = node.tag
-        if not roots or any(node.tag not in ("EPackage", *CLASSIFIERS) for node in roots):
+        tags = {node.tag for node in roots}
+        if not tags or tags - {"EPackage", *CLASSIFIERS} or ("EPackage" in tags and len(tags) > 1):
             raise no_package(path, roots or [root])
         file = self._files[place] = EcoreFile(path, roots)
         for top in roots:

@@ -99,11 +99,11 @@ inline void drive_init() {
 //#   fidelity: returns at once while the ramp goes on; the first call waits for both feedback signals and half a second, as there
 //#   limit: the calibration of the source robot does not carry over: the library's standard transfer function is used
 //#   limit: without feedback wired the drive goes on the speed alone
-//#   stack: 126 108
+//#   stack: 132 114
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_speed(int32_t left, int32_t right) {
@@ -119,11 +119,11 @@ inline void drive_speed(int32_t left, int32_t right) {
 //#   needs: drive_speed
 //#   role: servo
 //#   fidelity: the same as drive_speed, as there
-//#   stack: 126 108
+//#   stack: 132 114
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_rampStep(int32_t left, int32_t right) {
@@ -136,11 +136,11 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   needs: Drive360 drive_speed servo360.h/servo360_getSpeed
 //#   role: servo
 //#   fidelity: returns when a side is within 4 ticks/s of its speed, as there; the right servo counts backwards, so that it counts only at a stand
-//#   stack: 126 108
+//#   stack: 132 114
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_ramp(int32_t left, int32_t right) {
@@ -154,11 +154,11 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   needs: Drive360 drive_init servo360.h/servo360_getAngle
 //#   role: servo
 //#   fidelity: within a tick; the right side counts down when the robot goes forward, as there
-//#   stack: 136 124
+//#   stack: 142 130
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
@@ -172,11 +172,11 @@ template <class Int> inline void drive_getTicks(Int *left, Int *right) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_getAngleCalc
 //#   fidelity: as calculated from the speed, as there
-//#   stack: 136 124
+//#   stack: 142 130
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
@@ -191,11 +191,11 @@ template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
 //#   needs: Drive360 drive360_limits drive_init servo360.h/S360_GOTO servo360.h/servo360_getCsop servo360.h/servo360_getMaxSpeed servo360.h/servo360_getRampStep servo360.h/servo360_goto servo360.h/servo360_setMaxSpeed servo360.h/servo360_setRampStep
 //#   role: servo
 //#   fidelity: both sides so many ticks, the shorter way slower; returns a second after the first of them is there, as there
-//#   stack: 130 114
+//#   stack: 136 120
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
@@ -220,11 +220,11 @@ inline void drive_goto(int32_t distLeft, int32_t distRight) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init ABD360_GOTO_BLOCK
 //#   fidelity: ABD360_GOTO_BLOCK, drive_goto waits; else it returns after a second, as there
-//#   stack: 132 124
+//#   stack: 138 130
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_gotoMode(int32_t mode) {
@@ -237,11 +237,11 @@ inline void drive_gotoMode(int32_t mode) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init SIDE_LEFT SIDE_RIGHT servo360.h/S360_GOTO servo360.h/servo360_getCsop
 //#   fidelity: how many of the sides asked for are on the way
-//#   stack: 136 124
+//#   stack: 142 130
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t drive_gotoStatus(int32_t side) {
@@ -254,11 +254,11 @@ inline int32_t drive_gotoStatus(int32_t side) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_feedback
 //#   fidelity: as servo360_feedback of both sides, as there
-//#   stack: 136 120
+//#   stack: 142 126
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_feedback(int32_t enabled) {
@@ -272,11 +272,11 @@ inline void drive_feedback(int32_t enabled) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_setMaxSpeed
 //#   fidelity: until the next drive_speed or drive_goto, which set their own, as there
-//#   stack: 136 120
+//#   stack: 142 126
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setMaxSpeed(int32_t speed) {
@@ -290,11 +290,11 @@ inline void drive_setMaxSpeed(int32_t speed) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init FOR_GOTO FOR_SPEED
 //#   fidelity: exact
-//#   stack: 132 128
+//#   stack: 138 134
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
@@ -308,11 +308,11 @@ inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init FOR_GOTO FOR_SPEED servo360.h/servo360_setAcceleration
 //#   fidelity: exact; that for speeds holds for a ramp that goes on, too, as there
-//#   stack: 140 128
+//#   stack: 146 134
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq) {
@@ -330,11 +330,11 @@ inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq)
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_setAcceleration
 //#   fidelity: until the next drive_speed or drive_goto, which set their own, as there
-//#   stack: 136 124
+//#   stack: 142 130
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setRampStep(int32_t stepsize) {
@@ -376,11 +376,11 @@ inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_setUnitsFullCircle
 //#   fidelity: exact; the library's source calls it drive360_unitsPerRev
-//#   stack: 136 120
+//#   stack: 142 126
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive360_ticksPerRev(int32_t units) {

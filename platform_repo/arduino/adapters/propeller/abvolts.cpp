@@ -132,7 +132,7 @@ inline void da_volts(int32_t channel, float daVal) {
 //#   fidelity: both outputs are read back 40 times through the first two channels, and the ratio to 3.3 V is kept in EEPROM, as there
 //#   limit avr: outputs are high at 5 V here, which is the reading of a right circuit; the words that it prints are others than there
 //#   limit other: the words that it prints are others than there
-//#   stack: 311 293
+//#   stack: 311 295
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline void da_setupScale() {

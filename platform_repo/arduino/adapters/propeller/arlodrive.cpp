@@ -58,7 +58,7 @@ static bool arlo_on;
 //#   role: motor-controller
 //#   fidelity: exact: half a second of waiting, then "verb 1" and its answer; 1 s more and a text that says so without one
 //#   limit: while a byte is sent or received interrupts are off for 0.5 ms, and other cogs wait for an answer
-//#   stack: 36 26
+//#   stack: 38 28
 inline char *drive_open() {
   arlo_on = true;
   delay(510);
@@ -72,7 +72,7 @@ inline char *drive_open() {
 //#   needs: arlo_on arlo_command drive_open
 //#   role: motor-controller
 //#   fidelity: exact: the text up to a carriage return, and the answer up to one, of 63 characters at most; 0 for a carriage return alone
-//#   stack: 36 26
+//#   stack: 38 28
 inline char *dhb10_com(const char *configStr) {
   if (!arlo_on) drive_open();
   return arlo_command(configStr);
@@ -94,7 +94,7 @@ static struct {
 //#   needs: dhb10_com simpletext.h/sscan
 //#   role: motor-controller
 //#   fidelity: exact: encoder ticks/s as the controller measures them; the answer as a text
-//#   stack: 59 55
+//#   stack: 59 57
 template <class Int> inline char *drive_getSpeed(Int *left, Int *right) {
   char *reply = dhb10_com("spd\r");
   sscan(reply, "%d%d", left, right);
@@ -107,7 +107,7 @@ template <class Int> inline char *drive_getSpeed(Int *left, Int *right) {
 //#   needs: dhb10_com simpletext.h/sscan
 //#   role: motor-controller
 //#   fidelity: exact: encoder ticks as the controller counts them; the answer as a text
-//#   stack: 59 55
+//#   stack: 59 57
 template <class Int> inline char *drive_getTicks(Int *left, Int *right) {
   char *reply = dhb10_com("dist\r");
   sscan(reply, "%d%d", left, right);
@@ -240,7 +240,7 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   needs: dhb10_com
 //#   role: motor-controller
 //#   fidelity: exact
-//#   stack: 36 26
+//#   stack: 38 28
 inline char *drive_clearTicks() {
   return dhb10_com("rst\r");
 }
@@ -251,7 +251,7 @@ inline char *drive_clearTicks() {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact: a quarter of it is said to the controller
-//#   stack: 36 26
+//#   stack: 38 28
 inline void drive_setRampStep(int32_t stepsize) {
   if (!arlo_on) drive_open();
   arlo.step = stepsize / 4;
@@ -263,7 +263,7 @@ inline void drive_setRampStep(int32_t stepsize) {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact
-//#   stack: 36 26
+//#   stack: 38 28
 inline void drive_setMaxSpeed(int32_t speed) {
   if (!arlo_on) drive_open();
   arlo.top = speed;
@@ -275,7 +275,7 @@ inline void drive_setMaxSpeed(int32_t speed) {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact: without it drive_speed says powers and does not wait for speeds
-//#   stack: 40 26
+//#   stack: 42 28
 inline void drive_feedback(int32_t enabled) {
   if (!arlo_on) drive_open();
   arlo.open_loop = !enabled;
@@ -289,7 +289,7 @@ inline void drive_feedback(int32_t enabled) {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact
-//#   stack: 36 26
+//#   stack: 38 28
 inline void drive_speedBlocking(int32_t enabled) {
   if (!arlo_on) drive_open();
   arlo.block_speed = enabled;
@@ -331,7 +331,7 @@ inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
 //#   needs: arlo_on arlo_pin hal/HalfDuplexLine drive_open fdserial.h/fdserial simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/dprint simpletext.h/writeChar simpletext.h/sendChar simpletext.h/readChar
 //#   role: motor-controller
 //#   fidelity: what is typed goes to the controller, what it says is shown, up to a line with "exit" or "EXIT"
-//#   stack: 314 301
+//#   stack: 316 303
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline void dhb10_terminal(fdserial *fdterm) {

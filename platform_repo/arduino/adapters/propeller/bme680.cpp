@@ -152,7 +152,7 @@ typedef bme680_t bme680;
 //#   kind: oneToMany
 //#   needs: bme680_t simpletools.h/i2c_busy simpletools.h/i2c_out simpletools.h/low simpletools.h/high simpletools.h/shift_out
 //#   fidelity: exact; a bus on which nobody answers for 1 s ends it, where the library waits for ever
-//#   stack: 67 51
+//#   stack: 71 53
 inline void bme680_write(bme680_t *dev, uint8_t reg_addr, const void *reg_data, uint16_t len) {
   const uint8_t *bytes = (const uint8_t *)reg_data;
   if (dev->intf) {
@@ -172,7 +172,7 @@ inline void bme680_write(bme680_t *dev, uint8_t reg_addr, const void *reg_data, 
 //#   kind: oneToMany
 //#   needs: bme680_t simpletools.h/i2c_busy simpletools.h/i2c_in simpletools.h/low simpletools.h/high simpletools.h/shift_out simpletools.h/shift_in
 //#   fidelity: exact; a bus on which nobody answers for 1 s ends it, where the library waits for ever
-//#   stack: 57 41
+//#   stack: 48 30
 inline void bme680_read(bme680_t *dev, uint8_t reg_addr, void *reg_data, uint16_t len) {
   uint8_t *bytes = (uint8_t *)reg_data;
   if (dev->intf) {
@@ -192,7 +192,7 @@ inline void bme680_read(bme680_t *dev, uint8_t reg_addr, void *reg_data, uint16_
 //#   kind: oneToMany
 //#   needs: bme680_t bme680_read bme680_write BME680_FILTER_SIZE_3 BME680_OS_8X BME680_OS_4X BME680_OS_2X
 //#   fidelity: exact: reads what the sensor was calibrated with, takes the usual settings, and waits 193 ms
-//#   stack: 94 90
+//#   stack: 93 89
 inline void bme680_begin(bme680_t *dev) {
   uint8_t page = 0;
   if (!dev->intf) bme680_write(dev, 0x73, &page, 1);
@@ -235,7 +235,7 @@ inline void bme680_rest(bme680_t *dev) {
 //#   needs: bme680_t bme680_write bme680_rest
 //#   fidelity: exact, in what the library gets wrong, too: coefficients below 0 are taken without their sign, and the duration is kept as it
 //#   fidelity: was packed, so that a second call heats shorter
-//#   stack: 107 93
+//#   stack: 106 91
 inline char bme680_loadSettings(bme680_t *dev) {
   const uint8_t *coefficients = dev->calibration;
   if (dev->heater_temp > 400) dev->heater_temp = 400;
@@ -264,7 +264,7 @@ inline char bme680_loadSettings(bme680_t *dev) {
 //#   needs: bme680_t bme680_begin bme680_loadSettings simplei2c.h/i2c
 //#   fidelity: exact
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
-//#   stack: 116 103
+//#   stack: 115 102
 inline bme680_t *bme680_openI2C(i2c *i2c_bus, uint8_t i2c_addr) {
   bme680_t *dev = new bme680_t();
   dev->i2c_ptr = i2c_bus;
@@ -285,7 +285,7 @@ inline bme680_t *bme680_openI2C(i2c *i2c_bus, uint8_t i2c_addr) {
 //#   pin: pin_cs digital out
 //#   fidelity: exact
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
-//#   stack: 114 103
+//#   stack: 113 102
 inline bme680_t *bme680_openSPI(int32_t pin_clk, int32_t pin_sdi, int32_t pin_sdo, int32_t pin_cs) {
   bme680_t *dev = new bme680_t();
   dev->clk_pin = pin_clk;
@@ -313,7 +313,7 @@ inline void bme680_close(bme680_t *dev) {
 //#   needs: bme680_t bme680_loadSettings BME680_SETTING_AMB_TEMP BME680_SETTING_HEATER_TEMP BME680_SETTING_HEATER_DURATION BME680_SETTING_FILTER_SIZE BME680_SETTING_TEMP_SAMPLES BME680_SETTING_PRESSURE_SAMPLES BME680_SETTING_HUMIDITY_SAMPLES
 //#   fidelity: exact, with what the library gets wrong: with BME680_OS_NONE the Propeller shifts by 31 bits, and a reading waits for 30,769 ms
 //#   fidelity: where the sensor needs 185 ms; BME680_OS_1X avoids that on both
-//#   stack: 112 96
+//#   stack: 112 95
 inline void bme680_configure(bme680_t *dev, uint8_t setting, int32_t value) {
   if (setting == BME680_SETTING_AMB_TEMP) dev->amb_temp = value;
   if (setting == BME680_SETTING_HEATER_TEMP) dev->heater_temp = value;
@@ -375,7 +375,7 @@ inline float bme680_resistance_of(const bme680_t *dev, float measured, uint8_t r
 //#   needs: bme680_t bme680_read bme680_write bme680_rest bme680_pressure_of bme680_humidity_of bme680_resistance_of
 //#   fidelity: 0, or 255 (-1 in a char without a sign) and all values 0 when the sensor has nothing new in ten tries; coefficients below 0 are
 //#   fidelity: taken without their sign, as there
-//#   stack: 132 116
+//#   stack: 131 115
 inline uint8_t bme680_readSensor(bme680_t *dev) {
   uint8_t buffer[15] = {0x8d};
   bme680_write(dev, 0x74, buffer, 1);
@@ -461,7 +461,7 @@ inline float bme680_gasResistance(const bme680_t *dev) {
 //#   kind: oneToMany
 //#   needs: bme680_t bme680_read bme680_write
 //#   fidelity: exact; it waits 250 ms
-//#   stack: 85 69
+//#   stack: 81 64
 inline void bme680_heaterEnable(bme680_t *dev) {
   uint8_t control;
   bme680_read(dev, 0x70, &control, 1);
@@ -475,7 +475,7 @@ inline void bme680_heaterEnable(bme680_t *dev) {
 //#   kind: oneToMany
 //#   needs: bme680_t bme680_read bme680_write
 //#   fidelity: exact; it waits 250 ms
-//#   stack: 85 69
+//#   stack: 81 64
 inline void bme680_heaterDisable(bme680_t *dev) {
   uint8_t control;
   bme680_read(dev, 0x70, &control, 1);

@@ -17,7 +17,7 @@ inline void compass_init(i2c *bus) {
 //#   kind: oneToOne
 //#   needs: simplei2c.h/i2c simpletools.h/i2c_in
 //#   fidelity: exact: the last measurement of each axis
-//#   stack: 26 14
+//#   stack: 28 14
 template <class Int> inline void compass_read(i2c *bus, Int *px, Int *py, Int *pz) {
   uint8_t data[6] = {};
   i2c_in(bus, 0x1E, 3, 1, data, 6);

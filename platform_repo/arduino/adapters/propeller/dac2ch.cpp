@@ -37,7 +37,7 @@ inline dac2ch *dac2ch_start(int32_t bits) {
 //#   limit rp2040: a PWM of 20 kHz instead of pulses of 12.5 ns: a filter has to be some hundred times slower
 //#   limit other: a PWM of 1 kHz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   limit avr: full scale is 5 V instead of 3.3 V
-//#   stack: 36 20
+//#   stack: 40 24
 inline void dac2ch_set(dac2ch *device, int32_t pin, int32_t channel, int32_t dacVal) {
   uint8_t &used = device->pins[channel ? 1 : 0];
   Io io(pin), before(used);
@@ -57,7 +57,7 @@ inline void dac2ch_set(dac2ch *device, int32_t pin, int32_t channel, int32_t dac
 //#   kind: semantic
 //#   needs: dac2ch dac2ch_set
 //#   fidelity: the pins become inputs
-//#   stack: 30 26
+//#   stack: 34 30
 inline void dac2ch_stop(dac2ch *device) {
   dac2ch_set(device, 255, 0, -1);
   dac2ch_set(device, 255, 1, -1);

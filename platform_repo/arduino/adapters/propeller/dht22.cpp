@@ -47,7 +47,7 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //#   fidelity: an edge within an interrupt is taken for its middle, and one that an interrupt hides is known by the period: bits are right beside interrupts of up to 40 us
 //#   limit: other cogs wait for 6 ms
 //#   ram: 128
-//#   stack: 40 20
+//#   stack: 42 22
 inline char dht22_read(int32_t dht_pin) {
   static uint32_t last[32];
   Io io(dht_pin);

@@ -69,7 +69,7 @@ inline EEPROM *simple_eepromOpen(EEPROM_SIMPLE *eeprom, int32_t scl, int32_t sda
 //#   kind: oneToMany
 //#   needs: EEPROM i2c.h/i2cWrite i2c.h/i2cRead
 //#   fidelity: exact: 0, or -1 when the memory does not answer
-//#   stack: 26 10
+//#   stack: 22 4
 inline int32_t eepromRead(EEPROM *eeprom, uint32_t address, void *buffer, int32_t count) {
   const uint8_t place[2] = {(uint8_t)(address >> 8), (uint8_t)address};
   if (i2cWrite(eeprom->dev, eeprom->address, place, 2, 0)) return -1;
@@ -81,7 +81,7 @@ inline int32_t eepromRead(EEPROM *eeprom, uint32_t address, void *buffer, int32_
 //#   kind: oneToMany
 //#   needs: EEPROM i2c.h/i2cWrite i2c.h/i2cWriteMore
 //#   fidelity: exact: it waits until the memory has written; 0, or -1 when it does not answer
-//#   stack: 44 28
+//#   stack: 22 4
 inline int32_t eepromWrite(EEPROM *eeprom, uint32_t address, const void *buffer, int32_t count) {
   const uint8_t place[2] = {(uint8_t)(address >> 8), (uint8_t)address};
   if (i2cWrite(eeprom->dev, eeprom->address, place, 2, 0)) return -1;

@@ -76,7 +76,7 @@ inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t bau
 //#   range: baudrate 245..57600 away from RX: bytes get lost or broken
 //#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes
 //#   range: baudrate 245..9600 beside servo360.h/feedback360_edge away from RX: the interrupts of feedback signals break bytes
-//#   stack: 23 8
+//#   stack: 36 8
 //#   interrupt: PCINT0_vect 41
 //#   interrupt: PCINT1_vect 58
 //#   interrupt: PCINT2_vect 58

@@ -123,7 +123,7 @@ typedef text_t fpScanner;
 //#   pin: pin_tx digital out
 //#   fidelity: 19,200 baud, and a tenth of a second of waiting, as there
 //#   limit: beside servos with feedback a byte may get lost
-//#   stack: 23 8
+//#   stack: 24 8
 //#   interrupt: PCINT0_vect 41
 //#   interrupt: PCINT1_vect 58
 //#   interrupt: PCINT2_vect 58
@@ -226,7 +226,7 @@ inline int32_t fingerprint_add(fpScanner *device, int32_t userId, char userLevel
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_DELETE_USER CMD_DELETE_ALL_USERS simpletools.h/high propeller.h/port
 //#   fidelity: exact: all users when there is none of that number, and port 26 is high then; the answer is 0, as there
-//#   stack: 28 18
+//#   stack: 32 18
 inline int32_t fingerprint_deleteUser(fpScanner *device, int32_t userId) {
   fingerprint_ask(device, userId < 1 ? CMD_DELETE_ALL_USERS : CMD_DELETE_USER, userId < 1 ? 0 : (uint16_t)userId, 0, 0);
   if (userId < 1) high(port(26));

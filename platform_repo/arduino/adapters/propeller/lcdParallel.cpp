@@ -141,7 +141,7 @@ typedef lcdParallel lcdParallel_t;
 //#   needs: lcdParallel hal/Io simpletools.h/low simpletools.h/high
 //#   fidelity: the lowest four bits or all eight, the lowest at the first pin; then enable is high for some microseconds, and 100 us pass
 //#   limit: there the data pins are the range from the first to the last; here each takes its own bit, so that they may be anywhere
-//#   stack: 37 25
+//#   stack: 41 29
 inline void lcdParallel_write(lcdParallel *device, uint8_t value, uint8_t bits) {
   for (uint8_t bit = 0; bit < bits; bit++) Io(device->_data_pins[bit]).set(value >> bit & 1);
   low(device->_enable_pin);
@@ -157,7 +157,7 @@ inline void lcdParallel_write(lcdParallel *device, uint8_t value, uint8_t bits) 
 //#   kind: oneToMany
 //#   needs: lcdParallel lcdParallel_write LCDP_8BITMODE hal/Io
 //#   fidelity: exact: 0 is a command, 1 a character; on four wires the upper half goes first
-//#   stack: 53 47
+//#   stack: 59 53
 inline void lcdParallel_send(lcdParallel *device, uint8_t value, uint8_t mode) {
   Io(device->_rs_pin).set(mode & 1);
   bool whole = device->_displayfunction & LCDP_8BITMODE;
@@ -170,7 +170,7 @@ inline void lcdParallel_send(lcdParallel *device, uint8_t value, uint8_t mode) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_WRITE
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_writeChar(lcdParallel *device, uint8_t value) {
   lcdParallel_send(device, value, LCDP_SEND_WRITE);
 }
@@ -196,7 +196,7 @@ struct LcdStream : Stream {  // what is written becomes characters of a display
 //#   kind: semantic
 //#   needs: lcdParallel LcdStream simpletext.h/text_t simpletext.h/TextOut simpletext.h/TextArgument simpletext.h/format_text
 //#   fidelity: exact, in 32 bits; line ends are characters like others. Texts of more than 127 characters, which overflow a buffer there, are shown
-//#   stack: 354 334
+//#   stack: 360 340
 template <class... Arguments>
 inline int32_t lcdParallel_print(lcdParallel *device, const char *fmt, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -211,7 +211,7 @@ inline int32_t lcdParallel_print(lcdParallel *device, const char *fmt, Arguments
 //#   kind: oneToMany
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_CLEARDISPLAY
 //#   fidelity: exact, with its 2 ms
-//#   stack: 51 47
+//#   stack: 57 53
 inline void lcdParallel_clear(lcdParallel *device) {
   lcdParallel_send(device, LCDP_CLEARDISPLAY, LCDP_SEND_COMMAND);
   delay(2);
@@ -222,7 +222,7 @@ inline void lcdParallel_clear(lcdParallel *device) {
 //#   kind: oneToMany
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_RETURNHOME
 //#   fidelity: exact, with its 2 ms
-//#   stack: 51 47
+//#   stack: 57 53
 inline void lcdParallel_home(lcdParallel *device) {
   lcdParallel_send(device, LCDP_RETURNHOME, LCDP_SEND_COMMAND);
   delay(2);
@@ -233,7 +233,7 @@ inline void lcdParallel_home(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_DISPLAYON LCDP_DISPLAYCONTROL
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_noDisplay(lcdParallel *device) {
   device->_displaycontrol &= ~LCDP_DISPLAYON;
   lcdParallel_send(device, LCDP_DISPLAYCONTROL | device->_displaycontrol, LCDP_SEND_COMMAND);
@@ -244,7 +244,7 @@ inline void lcdParallel_noDisplay(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_DISPLAYON LCDP_DISPLAYCONTROL
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_display(lcdParallel *device) {
   device->_displaycontrol |= LCDP_DISPLAYON;
   lcdParallel_send(device, LCDP_DISPLAYCONTROL | device->_displaycontrol, LCDP_SEND_COMMAND);
@@ -255,7 +255,7 @@ inline void lcdParallel_display(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_CURSORON LCDP_DISPLAYCONTROL
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_noCursor(lcdParallel *device) {
   device->_displaycontrol &= ~LCDP_CURSORON;
   lcdParallel_send(device, LCDP_DISPLAYCONTROL | device->_displaycontrol, LCDP_SEND_COMMAND);
@@ -266,7 +266,7 @@ inline void lcdParallel_noCursor(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_CURSORON LCDP_DISPLAYCONTROL
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_cursor(lcdParallel *device) {
   device->_displaycontrol |= LCDP_CURSORON;
   lcdParallel_send(device, LCDP_DISPLAYCONTROL | device->_displaycontrol, LCDP_SEND_COMMAND);
@@ -277,7 +277,7 @@ inline void lcdParallel_cursor(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_BLINKON LCDP_DISPLAYCONTROL
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_noBlink(lcdParallel *device) {
   device->_displaycontrol &= ~LCDP_BLINKON;
   lcdParallel_send(device, LCDP_DISPLAYCONTROL | device->_displaycontrol, LCDP_SEND_COMMAND);
@@ -288,7 +288,7 @@ inline void lcdParallel_noBlink(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_BLINKON LCDP_DISPLAYCONTROL
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_blink(lcdParallel *device) {
   device->_displaycontrol |= LCDP_BLINKON;
   lcdParallel_send(device, LCDP_DISPLAYCONTROL | device->_displaycontrol, LCDP_SEND_COMMAND);
@@ -299,7 +299,7 @@ inline void lcdParallel_blink(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_ENTRYLEFT LCDP_ENTRYMODESET
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_leftToRight(lcdParallel *device) {
   device->_displaymode |= LCDP_ENTRYLEFT;
   lcdParallel_send(device, LCDP_ENTRYMODESET | device->_displaymode, LCDP_SEND_COMMAND);
@@ -310,7 +310,7 @@ inline void lcdParallel_leftToRight(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_ENTRYLEFT LCDP_ENTRYMODESET
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_rightToLeft(lcdParallel *device) {
   device->_displaymode &= ~LCDP_ENTRYLEFT;
   lcdParallel_send(device, LCDP_ENTRYMODESET | device->_displaymode, LCDP_SEND_COMMAND);
@@ -321,7 +321,7 @@ inline void lcdParallel_rightToLeft(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_ENTRYSHIFTINCREMENT LCDP_ENTRYMODESET
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_autoscroll(lcdParallel *device) {
   device->_displaymode |= LCDP_ENTRYSHIFTINCREMENT;
   lcdParallel_send(device, LCDP_ENTRYMODESET | device->_displaymode, LCDP_SEND_COMMAND);
@@ -332,7 +332,7 @@ inline void lcdParallel_autoscroll(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_ENTRYSHIFTINCREMENT LCDP_ENTRYMODESET
 //#   fidelity: exact
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_noAutoscroll(lcdParallel *device) {
   device->_displaymode &= ~LCDP_ENTRYSHIFTINCREMENT;
   lcdParallel_send(device, LCDP_ENTRYMODESET | device->_displaymode, LCDP_SEND_COMMAND);
@@ -343,7 +343,7 @@ inline void lcdParallel_noAutoscroll(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_CURSORSHIFT LCDP_DISPLAYMOVE LCDP_MOVELEFT
 //#   fidelity: exact
-//#   stack: 51 47
+//#   stack: 57 53
 inline void lcdParallel_scrollDisplayLeft(lcdParallel *device) {
   lcdParallel_send(device, LCDP_CURSORSHIFT | LCDP_DISPLAYMOVE | LCDP_MOVELEFT, LCDP_SEND_COMMAND);
 }
@@ -353,7 +353,7 @@ inline void lcdParallel_scrollDisplayLeft(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_CURSORSHIFT LCDP_DISPLAYMOVE LCDP_MOVERIGHT
 //#   fidelity: exact
-//#   stack: 51 47
+//#   stack: 57 53
 inline void lcdParallel_scrollDisplayRight(lcdParallel *device) {
   lcdParallel_send(device, LCDP_CURSORSHIFT | LCDP_DISPLAYMOVE | LCDP_MOVERIGHT, LCDP_SEND_COMMAND);
 }
@@ -363,7 +363,7 @@ inline void lcdParallel_scrollDisplayRight(lcdParallel *device) {
 //#   kind: oneToOne
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_SETDDRAMADDR
 //#   fidelity: exact: a row that is not there is the last one
-//#   stack: 52 47
+//#   stack: 58 53
 inline void lcdParallel_setCursor(lcdParallel *device, uint8_t col, uint8_t row) {
   if (row >= 4) row = 3;
   if (row >= device->_numlines) row = device->_numlines - 1;
@@ -375,7 +375,7 @@ inline void lcdParallel_setCursor(lcdParallel *device, uint8_t col, uint8_t row)
 //#   kind: oneToMany
 //#   needs: lcdParallel lcdParallel_send LCDP_SEND_COMMAND LCDP_SETCGRAMADDR LCDP_SEND_WRITE
 //#   fidelity: exact: eight lines of five points, one of eight characters
-//#   stack: 61 53
+//#   stack: 67 59
 inline void lcdParallel_createChar(lcdParallel *device, uint8_t loc, const void *charmap) {
   const uint8_t *lines = (const uint8_t *)charmap;
   lcdParallel_send(device, LCDP_SETCGRAMADDR | (loc & 7) << 3, LCDP_SEND_COMMAND);
@@ -398,7 +398,7 @@ inline void lcdParallel_createChar(lcdParallel *device, uint8_t loc, const void 
 //#   pin: d6 digital out
 //#   pin: d7 digital out
 //#   fidelity: exact, with its times: four wires where the upper four pins are one and the same; the memory is never given back, as there
-//#   stack: 136 62
+//#   stack: 142 68
 inline lcdParallel *lcdParallel_init8(
   uint8_t cols, uint8_t lines, uint8_t dotsize, int32_t rs, int32_t enable, int32_t d0, int32_t d1, int32_t d2, int32_t d3,
   int32_t d4, int32_t d5, int32_t d6, int32_t d7
@@ -437,7 +437,7 @@ inline lcdParallel *lcdParallel_init8(
 //#   pin: d2 digital out
 //#   pin: d3 digital out
 //#   fidelity: exact, with its times: four wires
-//#   stack: 103 64
+//#   stack: 109 70
 inline lcdParallel *lcdParallel_init(
   uint8_t cols, uint8_t lines, uint8_t dotsize, int32_t rs, int32_t enable, int32_t d0, int32_t d1, int32_t d2, int32_t d3
 ) {

@@ -262,7 +262,7 @@ typedef lis3dh_t lis3dh;
 //#   kind: oneToMany
 //#   needs: LIS3DH_MASK_READSINGLE lis3dh_t simpletools.h/high simpletools.h/low simpletools.h/shift_in simpletools.h/shift_out
 //#   fidelity: exact
-//#   stack: 51 39
+//#   stack: 42 30
 inline uint8_t lis3dh_readByte(lis3dh_t *device, uint8_t address) {
   low(device->cs_pin);
   shift_out(device->sdi_pin, device->sck_pin, MSBFIRST, 8, address | LIS3DH_MASK_READSINGLE);
@@ -276,7 +276,7 @@ inline uint8_t lis3dh_readByte(lis3dh_t *device, uint8_t address) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t simpletools.h/high simpletools.h/low simpletools.h/shift_out
 //#   fidelity: exact
-//#   stack: 60 51
+//#   stack: 62 53
 inline void lis3dh_writeByte(lis3dh_t *device, uint8_t address, uint8_t value) {
   low(device->cs_pin);
   shift_out(device->sdi_pin, device->sck_pin, MSBFIRST, 8, address);
@@ -289,7 +289,7 @@ inline void lis3dh_writeByte(lis3dh_t *device, uint8_t address, uint8_t value) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG1 LIS3DH_CTRL_REG4 lis3dh_t lis3dh_readByte
 //#   fidelity: bits: 8, 10 or 12; 0 for settings that exclude each other
-//#   stack: 56 51
+//#   stack: 47 42
 inline int32_t lis3dh_getResolution(lis3dh_t *device) {
   bool low_power = lis3dh_readByte(device, LIS3DH_CTRL_REG1) & 8, fine = lis3dh_readByte(device, LIS3DH_CTRL_REG4) & 8;
   return low_power ? (fine ? 0 : 8) : fine ? 12 : 10;
@@ -300,7 +300,7 @@ inline int32_t lis3dh_getResolution(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG1 LIS3DH_CTRL_REG4 lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: 12, 10, else 8 bits
-//#   stack: 91 81
+//#   stack: 86 76
 inline void lis3dh_setResolution(lis3dh_t *device, int32_t bits) {
   uint8_t first = lis3dh_readByte(device, LIS3DH_CTRL_REG1) & ~8, fourth = lis3dh_readByte(device, LIS3DH_CTRL_REG4) & ~8;
   lis3dh_writeByte(device, LIS3DH_CTRL_REG1, bits == 12 || bits == 10 ? first : first | 8);
@@ -312,7 +312,7 @@ inline void lis3dh_setResolution(lis3dh_t *device, int32_t bits) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 lis3dh_t lis3dh_readByte
 //#   fidelity: g: 2, 4, 8 or 16
-//#   stack: 51 39
+//#   stack: 42 30
 inline int32_t lis3dh_getRange(lis3dh_t *device) {
   return 2 << (lis3dh_readByte(device, LIS3DH_CTRL_REG4) >> 4 & 3);
 }
@@ -322,7 +322,7 @@ inline int32_t lis3dh_getRange(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_RANGE_16 LIS3DH_RANGE_8 LIS3DH_RANGE_4 LIS3DH_RANGE_2 lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: 16, 8, 4, else 2 g
-//#   stack: 82 69
+//#   stack: 77 64
 inline void lis3dh_setRange(lis3dh_t *device, int32_t range) {
   uint8_t bits = range == 16 ? LIS3DH_RANGE_16 : range == 8 ? LIS3DH_RANGE_8 : range == 4 ? LIS3DH_RANGE_4 : LIS3DH_RANGE_2;
   lis3dh_writeByte(device, LIS3DH_CTRL_REG4, (lis3dh_readByte(device, LIS3DH_CTRL_REG4) & ~0x30) | bits << 4);
@@ -333,7 +333,7 @@ inline void lis3dh_setRange(lis3dh_t *device, int32_t range) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_MASK_BDUMODE LIS3DH_BDUMODE_CONSISTENT lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: exact
-//#   stack: 85 69
+//#   stack: 80 64
 inline void lis3dh_setBDUmode(lis3dh_t *device, int32_t mode) {
   uint8_t fourth = lis3dh_readByte(device, LIS3DH_CTRL_REG4);
   bool consistent = mode == LIS3DH_BDUMODE_CONSISTENT;
@@ -345,7 +345,7 @@ inline void lis3dh_setBDUmode(lis3dh_t *device, int32_t mode) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_MASK_SPIMODE lis3dh_t lis3dh_readByte
 //#   fidelity: wires: 3 or 4
-//#   stack: 51 39
+//#   stack: 42 30
 inline int32_t lis3dh_getSPImode(lis3dh_t *device) {
   return lis3dh_readByte(device, LIS3DH_CTRL_REG4) & LIS3DH_MASK_SPIMODE ? 3 : 4;
 }
@@ -355,7 +355,7 @@ inline int32_t lis3dh_getSPImode(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_MASK_SPIMODE lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: exact
-//#   stack: 85 69
+//#   stack: 80 64
 inline void lis3dh_setSPImode(lis3dh_t *device, int32_t mode) {
   uint8_t fourth = lis3dh_readByte(device, LIS3DH_CTRL_REG4);
   lis3dh_writeByte(device, LIS3DH_CTRL_REG4, mode == 3 ? fourth | LIS3DH_MASK_SPIMODE : fourth & ~LIS3DH_MASK_SPIMODE);
@@ -366,7 +366,7 @@ inline void lis3dh_setSPImode(lis3dh_t *device, int32_t mode) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_WHO_AM_I lis3dh_t lis3dh_readByte
 //#   fidelity: exact: 0x33
-//#   stack: 51 39
+//#   stack: 42 30
 inline int32_t lis3dh_getWhoAmI(lis3dh_t *device) {
   return lis3dh_readByte(device, LIS3DH_WHO_AM_I);
 }
@@ -376,7 +376,7 @@ inline int32_t lis3dh_getWhoAmI(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_TEMP_CFG_REG LIS3DH_BDUMODE_CONSISTENT lis3dh_t lis3dh_writeByte lis3dh_setBDUmode
 //#   fidelity: exact
-//#   stack: 98 82
+//#   stack: 93 77
 inline void lis3dh_setADCmode(lis3dh_t *device, int32_t adcEnable, int32_t tempEnable) {
   lis3dh_setBDUmode(device, LIS3DH_BDUMODE_CONSISTENT);
   lis3dh_writeByte(device, LIS3DH_TEMP_CFG_REG, (adcEnable ? 0x80 : 0) | (tempEnable ? 0x40 : 0));
@@ -400,7 +400,7 @@ inline void lis3dh_words(lis3dh_t *device, uint8_t address, int32_t words[3]) { 
 //#   kind: oneToMany
 //#   needs: LIS3DH_STATUS_REG LIS3DH_OUT_X_L lis3dh_t lis3dh_readByte lis3dh_words
 //#   fidelity: exact; 0 while there is nothing new
-//#   stack: 95 83
+//#   stack: 86 74
 template <class Int> inline int32_t lis3dh_accel(lis3dh_t *device, Int *x, Int *y, Int *z) {
   if (!(lis3dh_readByte(device, LIS3DH_STATUS_REG) & 8)) return 0;
   int32_t words[3];
@@ -416,7 +416,7 @@ template <class Int> inline int32_t lis3dh_accel(lis3dh_t *device, Int *x, Int *
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_accel
 //#   fidelity: exact
-//#   stack: 105 77
+//#   stack: 96 68
 inline int32_t lis3dh_getAccel(lis3dh_t *device, int32_t axis) {
   int32_t words[3];
   if (axis < 1 || axis > 3 || !lis3dh_accel(device, words, words + 1, words + 2)) return 0;
@@ -428,7 +428,7 @@ inline int32_t lis3dh_getAccel(lis3dh_t *device, int32_t axis) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_getResolution lis3dh_getRange lis3dh_accel
 //#   fidelity: exact: thousandths of g
-//#   stack: 100 88
+//#   stack: 91 79
 template <class Int> inline int32_t lis3dh_accel_mg(lis3dh_t *device, Int *x, Int *y, Int *z) {
   if (!lis3dh_accel(device, x, y, z)) return 0;
   int32_t bits = lis3dh_getResolution(device), range = lis3dh_getRange(device);
@@ -444,7 +444,7 @@ template <class Int> inline int32_t lis3dh_accel_mg(lis3dh_t *device, Int *x, In
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_accel_mg
 //#   fidelity: exact
-//#   stack: 104 82
+//#   stack: 95 73
 inline int32_t lis3dh_getAccel_mg(lis3dh_t *device, int32_t axis) {
   int32_t words[3];
   if (axis < 1 || axis > 3 || !lis3dh_accel_mg(device, words, words + 1, words + 2)) return 0;
@@ -456,7 +456,7 @@ inline int32_t lis3dh_getAccel_mg(lis3dh_t *device, int32_t axis) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_OUT_ADC1_L lis3dh_t lis3dh_words
 //#   fidelity: exact
-//#   stack: 89 83
+//#   stack: 80 74
 template <class Int> inline void lis3dh_adc(lis3dh_t *device, Int *ad1, Int *ad2, Int *ad3) {
   int32_t words[3];
   lis3dh_words(device, LIS3DH_OUT_ADC1_L, words);
@@ -470,7 +470,7 @@ template <class Int> inline void lis3dh_adc(lis3dh_t *device, Int *ad1, Int *ad2
 //#   kind: oneToMany
 //#   needs: LIS3DH_OUT_ADC1_L lis3dh_t lis3dh_words
 //#   fidelity: exact
-//#   stack: 89 77
+//#   stack: 80 68
 inline int32_t lis3dh_getADC(lis3dh_t *device, int32_t channel) {
   int32_t words[3];
   lis3dh_words(device, LIS3DH_OUT_ADC1_L, words);
@@ -482,7 +482,7 @@ inline int32_t lis3dh_getADC(lis3dh_t *device, int32_t channel) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_OUT_ADC1_L lis3dh_t lis3dh_getResolution lis3dh_words
 //#   fidelity: exact: millivolts
-//#   stack: 105 88
+//#   stack: 96 79
 template <class Int> inline void lis3dh_adc_mV(lis3dh_t *device, Int *ad1, Int *ad2, Int *ad3) {
   int32_t words[3], bits = lis3dh_getResolution(device);
   lis3dh_words(device, LIS3DH_OUT_ADC1_L, words);
@@ -500,7 +500,7 @@ template <class Int> inline void lis3dh_adc_mV(lis3dh_t *device, Int *ad1, Int *
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_adc_mV
 //#   fidelity: exact: millivolts
-//#   stack: 119 82
+//#   stack: 110 73
 inline int32_t lis3dh_getADC_mV(lis3dh_t *device, int32_t channel) {
   int32_t words[3];
   lis3dh_adc_mV(device, words, words + 1, words + 2);
@@ -525,7 +525,7 @@ inline void lis3dh_adcCal_mV(lis3dh_t *device, int32_t mV_L, int32_t mV_H, int32
 //#   kind: oneToMany
 //#   needs: LIS3DH_TEMP_CFG_REG lis3dh_t lis3dh_readByte lis3dh_writeByte lis3dh_getADC
 //#   fidelity: six samples divided by five, as there
-//#   stack: 98 80
+//#   stack: 89 71
 inline int32_t lis3dh_tempRaw(lis3dh_t *device) {
   uint8_t before = lis3dh_readByte(device, LIS3DH_TEMP_CFG_REG);
   lis3dh_writeByte(device, LIS3DH_TEMP_CFG_REG, 0xC0);
@@ -544,7 +544,7 @@ inline int32_t lis3dh_tempRaw(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_tempRaw
 //#   fidelity: exact
-//#   stack: 98 80
+//#   stack: 89 71
 inline int32_t lis3dh_temp_C(lis3dh_t *device) {
   return lis3dh_tempRaw(device) + device->tempcalC;
 }
@@ -554,7 +554,7 @@ inline int32_t lis3dh_temp_C(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_temp_C
 //#   fidelity: exact
-//#   stack: 98 80
+//#   stack: 89 71
 inline int32_t lis3dh_temp_F(lis3dh_t *device) {
   return lis3dh_temp_C(device) * 9 / 5 + 32;
 }
@@ -564,7 +564,7 @@ inline int32_t lis3dh_temp_F(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_tempRaw
 //#   fidelity: exact
-//#   stack: 98 84
+//#   stack: 89 75
 inline void lis3dh_tempCal_C(lis3dh_t *device, int32_t actualTempC) {
   device->tempcalC = actualTempC - lis3dh_tempRaw(device);
 }
@@ -574,7 +574,7 @@ inline void lis3dh_tempCal_C(lis3dh_t *device, int32_t actualTempC) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_tempCal_C
 //#   fidelity: exact
-//#   stack: 102 84
+//#   stack: 93 75
 inline void lis3dh_tempCal_F(lis3dh_t *device, int32_t actualTempF) {
   lis3dh_tempCal_C(device, (actualTempF - 32) * 5 / 9 + (actualTempF * 18 % 10 > 5));
 }
@@ -596,7 +596,7 @@ inline int32_t lis3dh_tiltConfig(lis3dh_t *device, int32_t avg_factor) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_accel_mg
 //#   fidelity: whole degrees, and thousandths of g beyond 1 g
-//#   stack: 128 108
+//#   stack: 119 99
 template <class Int> inline int32_t lis3dh_tilt(lis3dh_t *device, Int *ax, Int *ay, Int *az, Int *motion) {
   int32_t now[3], *average[3] = {&device->tiltavgX, &device->tiltavgY, &device->tiltavgZ};
   if (!lis3dh_accel_mg(device, now, now + 1, now + 2)) return 0;
@@ -623,7 +623,7 @@ template <class Int> inline int32_t lis3dh_tilt(lis3dh_t *device, Int *ax, Int *
 //#   pin: pinCS digital out accelerometer
 //#   fidelity: 12 bits, 2 g, 400 samples a second
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
-//#   stack: 108 90
+//#   stack: 99 81
 inline lis3dh_t *lis3dh_init4wire(int32_t pinSCK, int32_t pinSDI, int32_t pinSDO, int32_t pinCS) {
   lis3dh_t *device = new lis3dh_t();
   device->sck_pin = pinSCK;
@@ -655,7 +655,7 @@ inline lis3dh_t *lis3dh_init4wire(int32_t pinSCK, int32_t pinSDI, int32_t pinSDO
 //#   pin: pinCS digital out accelerometer
 //#   fidelity: as lis3dh_init4wire, with one line for data
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
-//#   stack: 108 92
+//#   stack: 99 83
 inline lis3dh_t *lis3dh_init(int32_t pinSCK, int32_t pinSDI, int32_t pinCS) {
   return lis3dh_init4wire(pinSCK, pinSDI, pinSDI, pinCS);
 }
@@ -665,7 +665,7 @@ inline lis3dh_t *lis3dh_init(int32_t pinSCK, int32_t pinSDI, int32_t pinCS) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_TEMP_CFG_REG LIS3DH_CTRL_REG1 LIS3DH_CTRL_REG2 LIS3DH_CTRL_REG3 LIS3DH_CTRL_REG4 LIS3DH_CTRL_REG5 LIS3DH_CTRL_REG6 lis3dh_t lis3dh_writeByte simpletools.h/high
 //#   fidelity: exact
-//#   stack: 81 67
+//#   stack: 71 57
 inline void lis3dh_shutdown(lis3dh_t *device) {
   high(device->cs_pin);
   lis3dh_writeByte(device, LIS3DH_CTRL_REG4, device->sdi_pin == device->sdo_pin);

@@ -367,7 +367,7 @@ static ImuState imu_state = {255, 255, 255, 255, 0, 0, 16, 2000, {{0, 0, 0}, {0,
 //#   needs: imu_state simpletools.h/low simpletools.h/high simpletools.h/shift_out
 //#   pin: csPin digital out
 //#   fidelity: exact
-//#   stack: 62 51
+//#   stack: 64 41
 inline void imu_SPIwriteByte(int32_t csPin, uint8_t subAddress, uint8_t data) {
   low(csPin);
   shift_out(imu_state.data, imu_state.clock, MSBFIRST, 8, subAddress & 0x3F);
@@ -381,7 +381,7 @@ inline void imu_SPIwriteByte(int32_t csPin, uint8_t subAddress, uint8_t data) {
 //#   needs: imu_state simpletools.h/low simpletools.h/high simpletools.h/shift_out simpletools.h/shift_in simpletools.h/MSBPRE
 //#   pin: csPin digital out
 //#   fidelity: exact: the magnetometer is told when several bytes are read
-//#   stack: 54 39
+//#   stack: 46 30
 inline void imu_SPIreadBytes(int32_t csPin, uint8_t subAddress, void *dest, uint8_t count) {
   uint8_t address = 0x80 | (subAddress & 0x3F);
   if (csPin == imu_state.field && count > 1) address |= 0x40;
@@ -428,7 +428,7 @@ inline void imu_change(uint8_t select, uint8_t address, uint8_t kept, uint8_t se
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_G hal/SourceInt
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
-//#   stack: 64 51
+//#   stack: 55 42
 inline void imu_readGyro(SourceInt *gx, SourceInt *gy, SourceInt *gz) {
   imu_readAxes(imu_state.motion, OUT_X_L_G, gx, gy, gz);
   imu_lessBias(0, gx, gy, gz);
@@ -439,7 +439,7 @@ inline void imu_readGyro(SourceInt *gx, SourceInt *gy, SourceInt *gz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readGyro hal/SourceInt
 //#   fidelity: exact: degrees per second
-//#   stack: 82 70
+//#   stack: 73 61
 inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
   SourceInt x, y, z;
   imu_readGyro(&x, &y, &z);
@@ -453,7 +453,7 @@ inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_XL hal/SourceInt
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
-//#   stack: 64 51
+//#   stack: 55 42
 inline void imu_readAccel(SourceInt *ax, SourceInt *ay, SourceInt *az) {
   imu_readAxes(imu_state.motion, OUT_X_L_XL, ax, ay, az);
   imu_lessBias(1, ax, ay, az);
@@ -464,7 +464,7 @@ inline void imu_readAccel(SourceInt *ax, SourceInt *ay, SourceInt *az) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAccel hal/SourceInt
 //#   fidelity: exact: g
-//#   stack: 82 70
+//#   stack: 73 61
 inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
   SourceInt x, y, z;
   imu_readAccel(&x, &y, &z);
@@ -478,7 +478,7 @@ inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAxes OUT_X_L_M hal/SourceInt
 //#   fidelity: exact: 16 bits with a sign
-//#   stack: 68 51
+//#   stack: 59 42
 inline void imu_readMag(SourceInt *mx, SourceInt *my, SourceInt *mz) {
   imu_readAxes(imu_state.field, OUT_X_L_M, mx, my, mz);
 }
@@ -488,7 +488,7 @@ inline void imu_readMag(SourceInt *mx, SourceInt *my, SourceInt *mz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readMag hal/SourceInt
 //#   fidelity: exact: gauss
-//#   stack: 82 70
+//#   stack: 73 61
 inline void imu_readMagCalculated(float *mx, float *my, float *mz) {
   SourceInt x, y, z;
   imu_readMag(&x, &y, &z);
@@ -502,7 +502,7 @@ inline void imu_readMagCalculated(float *mx, float *my, float *mz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIreadBytes OUT_TEMP_L hal/SourceInt
 //#   fidelity: exact: sixteenths of a degree from 25 degrees Celsius on
-//#   stack: 54 41
+//#   stack: 45 32
 inline void imu_readTemp(SourceInt *temperature) {
   uint8_t bytes[2];
   imu_SPIreadBytes(imu_state.motion, OUT_TEMP_L, bytes, 2);
@@ -514,7 +514,7 @@ inline void imu_readTemp(SourceInt *temperature) {
 //#   kind: oneToMany
 //#   needs: imu_readTemp FAHRENHEIT KELVIN hal/SourceInt
 //#   fidelity: exact
-//#   stack: 55 41
+//#   stack: 46 32
 inline void imu_readTempCalculated(float *temperature, uint8_t tempUnit) {
   SourceInt raw;
   imu_readTemp(&raw);
@@ -528,7 +528,7 @@ inline void imu_readTempCalculated(float *temperature, uint8_t tempUnit) {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_1
 //#   fidelity: exact: whether there is a new reading, 1 or 0
-//#   stack: 47 39
+//#   stack: 37 30
 inline uint8_t imu_accelAvailable() {
   return imu_byte(imu_state.motion, STATUS_REG_1) >> 0 & 1;
 }
@@ -538,7 +538,7 @@ inline uint8_t imu_accelAvailable() {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_1
 //#   fidelity: exact: whether there is a new reading, 1 or 0
-//#   stack: 47 39
+//#   stack: 37 30
 inline uint8_t imu_gyroAvailable() {
   return imu_byte(imu_state.motion, STATUS_REG_1) >> 1 & 1;
 }
@@ -548,7 +548,7 @@ inline uint8_t imu_gyroAvailable() {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_1
 //#   fidelity: exact: whether there is a new reading, 1 or 0
-//#   stack: 47 39
+//#   stack: 37 30
 inline uint8_t imu_tempAvailable() {
   return imu_byte(imu_state.motion, STATUS_REG_1) >> 2 & 1;
 }
@@ -558,7 +558,7 @@ inline uint8_t imu_tempAvailable() {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_M
 //#   fidelity: exact: whether there is a new reading, 1 or 0
-//#   stack: 47 39
+//#   stack: 37 30
 inline uint8_t imu_magAvailable() {
   return imu_byte(imu_state.field, STATUS_REG_M) >> 3 & 1;
 }
@@ -568,7 +568,7 @@ inline uint8_t imu_magAvailable() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_change CTRL_REG1_G
 //#   fidelity: exact: 245, 500 or 2000 degrees per second, 245 for others
-//#   stack: 88 73
+//#   stack: 84 68
 inline void imu_setGyroScale(uint32_t gScl) {
   if (gScl != 500 && gScl != 2000) gScl = 245;
   imu_state.gyroScale = gScl;
@@ -581,7 +581,7 @@ inline void imu_setGyroScale(uint32_t gScl) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_change CTRL_REG6_XL
 //#   fidelity: exact: 2, 4, 8 or 16 g, 2 for others
-//#   stack: 88 73
+//#   stack: 84 68
 inline void imu_setAccelScale(uint8_t aScl) {
   if (aScl != 4 && aScl != 8 && aScl != 16) aScl = 2;
   imu_state.accelScale = aScl;
@@ -594,7 +594,7 @@ inline void imu_setAccelScale(uint8_t aScl) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_change CTRL_REG2_M
 //#   fidelity: exact: 4, 8, 12 or 16 gauss, 4 for others
-//#   stack: 88 73
+//#   stack: 84 68
 inline void imu_setMagScale(uint8_t mScl) {
   if (mScl != 8 && mScl != 12 && mScl != 16) mScl = 4;
   imu_state.fieldScale = mScl;
@@ -654,7 +654,7 @@ inline void imu_keep(uint8_t sensor, int32_t x, int32_t y, int32_t z) {
 //#   limit avr: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
 //#   limit other: it is kept in the memory of the board, at the address that is left of the library's within 4 KB
 //#   fidelity: exact: readings are less by it from now on; those of the accelerometer are not any more, as there
-//#   stack: 26 16
+//#   stack: 28 16
 inline void imu_setGyroCalibration(int32_t gxBias, int32_t gyBias, int32_t gzBias) {
   imu_keep(0, gxBias, gyBias, gzBias);
   imu_state.corrected = 1;
@@ -667,7 +667,7 @@ inline void imu_setGyroCalibration(int32_t gxBias, int32_t gyBias, int32_t gzBia
 //#   limit avr: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
 //#   limit other: it is kept in the memory of the board, at the address that is left of the library's within 4 KB
 //#   fidelity: exact: readings are less by it from now on
-//#   stack: 28 16
+//#   stack: 30 16
 inline void imu_setAccelCalibration(int32_t axBias, int32_t ayBias, int32_t azBias) {
   imu_keep(1, axBias, ayBias, azBias);
   imu_state.corrected |= 2;
@@ -747,7 +747,7 @@ inline int32_t imu_kept(uint8_t sensor, uint8_t axis) {
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
 //#   limit: the library compares a text without its end, so that it depends on what lies behind whether it uses what was kept
 //#   fidelity: exact: 0x683D, or 0 where another sensor or none answers; 500 degrees per second, 8 g, 12 gauss. What was kept is used, with its sign
-//#   stack: 163 147
+//#   stack: 158 142
 inline int32_t imu_init(int32_t pinSCL, int32_t pinSDIO, int32_t pinAG, int32_t pinM) {
   const int32_t pins[4] = {pinSCL, pinSDIO, pinAG, pinM};
   uint8_t *const kept[4] = {&imu_state.clock, &imu_state.data, &imu_state.motion, &imu_state.field};
@@ -784,7 +784,7 @@ inline int32_t imu_init(int32_t pinSCL, int32_t pinSDIO, int32_t pinAG, int32_t 
 //#   kind: oneToMany
 //#   needs: imu_state imu_change imu_byte imu_SPIwriteByte imu_readGyro imu_readAccel imu_setGyroCalibration imu_setAccelCalibration CTRL_REG9 FIFO_CTRL FIFO_SRC FIFO_THS FIFO_OFF hal/SourceInt
 //#   fidelity: exact: the mean of the 31 readings or more that the sensor has stored, the third axis upwards; it waits for them, and for ever without a sensor
-//#   stack: 160 144
+//#   stack: 155 139
 inline void imu_calibrateAG() {
   int32_t sums[2][3] = {{0, 0, 0}, {0, 0, 0}};
   SourceInt x, y, z;
@@ -809,7 +809,7 @@ inline void imu_calibrateAG() {
 //#   kind: oneToMany
 //#   needs: imu_magAvailable imu_readMag imu_setMagCalibration hal/SourceInt
 //#   fidelity: exact: the middle of what 1,200 readings had, which are to be new ones: some 30 s; it waits for them, and for ever without a sensor
-//#   stack: 172 162
+//#   stack: 167 157
 inline void imu_calibrateMag() {
   int32_t least[3] = {0, 0, 0}, most[3] = {0, 0, 0};
   SourceInt now[3];
@@ -829,7 +829,7 @@ inline void imu_calibrateMag() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIwriteByte imu_change INT_GEN_THS_X_XL INT_GEN_THS_Y_XL INT_GEN_THS_Z_XL INT_GEN_CFG_XL INT_GEN_DUR_XL INT1_CTRL
 //#   fidelity: exact
-//#   stack: 93 85
+//#   stack: 88 80
 inline void imu_clearAccelInterrupt() {
   const uint8_t cleared[] = {INT_GEN_THS_X_XL, INT_GEN_THS_Y_XL, INT_GEN_THS_Z_XL, INT_GEN_CFG_XL, INT_GEN_DUR_XL};
   for (uint8_t address : cleared) imu_SPIwriteByte(imu_state.motion, address, 0);
@@ -842,7 +842,7 @@ inline void imu_clearAccelInterrupt() {
 //#   needs: imu_state imu_SPIwriteByte imu_change INT_GEN_THS_XH_G INT_GEN_THS_XL_G INT_GEN_THS_YH_G INT_GEN_THS_YL_G INT_GEN_THS_ZH_G INT_GEN_THS_ZL_G
 //#   needs: INT_GEN_CFG_G INT_GEN_DUR_G INT1_CTRL
 //#   fidelity: exact
-//#   stack: 96 88
+//#   stack: 91 83
 inline void imu_clearGyroInterrupt() {
   const uint8_t cleared[] = {
     INT_GEN_THS_XH_G, INT_GEN_THS_XL_G, INT_GEN_THS_YH_G, INT_GEN_THS_YL_G, INT_GEN_THS_ZH_G, INT_GEN_THS_ZL_G, INT_GEN_CFG_G, INT_GEN_DUR_G};
@@ -855,7 +855,7 @@ inline void imu_clearGyroInterrupt() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIwriteByte INT_THS_L_M INT_THS_H_M INT_SRC_M INT_CFG_M
 //#   fidelity: exact: the third write goes to the register of the fourth, as there
-//#   stack: 67 57
+//#   stack: 57 47
 inline void imu_clearMagInterrupt() {
   const uint8_t cleared[] = {INT_THS_L_M, INT_THS_H_M, INT_SRC_M, INT_CFG_M};
   for (uint8_t address : cleared) imu_SPIwriteByte(imu_state.field, address, 0);
@@ -866,7 +866,7 @@ inline void imu_clearMagInterrupt() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_byte imu_change imu_SPIwriteByte CTRL_REG4 INT_GEN_CFG_XL INT_GEN_THS_X_XL INT_GEN_DUR_XL INT1_CTRL
 //#   fidelity: exact: of one axis, or of all for any other number
-//#   stack: 117 89
+//#   stack: 112 84
 inline void imu_setAccelInterrupt(uint8_t axis, float threshold, uint8_t duration, uint8_t overUnder, uint8_t andOr) {
   const uint8_t select = imu_state.motion;
   imu_change(select, CTRL_REG4, 0xFD, 0);
@@ -887,7 +887,7 @@ inline void imu_setAccelInterrupt(uint8_t axis, float threshold, uint8_t duratio
 //#   kind: oneToMany
 //#   needs: imu_state imu_byte imu_change imu_SPIwriteByte CTRL_REG4 INT_GEN_CFG_G INT_GEN_THS_XH_G INT_GEN_THS_XL_G INT_GEN_DUR_G INT1_CTRL
 //#   fidelity: exact: of one axis, or of all for any other number
-//#   stack: 118 91
+//#   stack: 113 86
 inline void imu_setGyroInterrupt(uint8_t axis, float threshold, uint8_t duration, uint8_t overUnder, uint8_t andOr) {
   const uint8_t select = imu_state.motion;
   imu_change(select, CTRL_REG4, 0xFD, 0);
@@ -910,7 +910,7 @@ inline void imu_setGyroInterrupt(uint8_t axis, float threshold, uint8_t duration
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIwriteByte INT_THS_L_M INT_THS_H_M INT_CFG_M
 //#   fidelity: exact: of one axis, or of all for any other number
-//#   stack: 72 62
+//#   stack: 74 64
 inline void imu_setMagInterrupt(uint8_t axis, float threshold, uint8_t lowHigh) {
   int32_t value = labs((int32_t)(imu_state.perUnit[2] * threshold));
   if (value > 32767) value = 32767;

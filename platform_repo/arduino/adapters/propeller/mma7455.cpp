@@ -147,7 +147,7 @@ static uint8_t mma7455_pins[3] = {255, 255, 255};  // data, clock, enable
 //#   kind: oneToMany
 //#   needs: mma7455_pins simpletools.h/low simpletools.h/high simpletools.h/shift_out
 //#   fidelity: exact: a one, six bits of the address, a zero, and the value
-//#   stack: 67 55
+//#   stack: 56 45
 inline void MMA7455_writeByte(uint8_t address, uint8_t value) {
   low(mma7455_pins[2]);
   shift_out(mma7455_pins[0], mma7455_pins[1], MSBFIRST, 7, address | 0x40);
@@ -161,7 +161,7 @@ inline void MMA7455_writeByte(uint8_t address, uint8_t value) {
 //#   kind: oneToMany
 //#   needs: mma7455_pins simpletools.h/low simpletools.h/high simpletools.h/shift_out simpletools.h/shift_in simpletools.h/MSBPRE
 //#   fidelity: exact: a zero, six bits of the address, a zero; then the sensor sends the value on the same line
-//#   stack: 85 75
+//#   stack: 78 68
 inline uint8_t MMA7455_readByte(uint8_t address) {
   low(mma7455_pins[2]);
   shift_out(mma7455_pins[0], mma7455_pins[1], MSBFIRST, 7, address & 0x3F);
@@ -180,7 +180,7 @@ inline uint8_t MMA7455_readByte(uint8_t address) {
 //#   pin: pinEnable digital out
 //#   fidelity: exact: it measures up to 8 g, on three wires
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
-//#   stack: 91 77
+//#   stack: 81 67
 inline void MMA7455_init(int32_t pinData, int32_t pinClock, int32_t pinEnable) {
   const int32_t pins[3] = {pinData, pinClock, pinEnable};
   for (uint8_t place = 0; place < 3; place++) mma7455_pins[place] = pins[place] < 0 || pins[place] > 254 ? 255 : pins[place];
@@ -194,7 +194,7 @@ inline void MMA7455_init(int32_t pinData, int32_t pinClock, int32_t pinEnable) {
 //#   kind: oneToMany
 //#   needs: MMA7455_readByte MMA7455_writeByte MMA7455_MCTL
 //#   fidelity: exact: 2, 4 or 8 g; 8 is cut to the bits of 0, which mean 8 g
-//#   stack: 90 75
+//#   stack: 83 68
 inline void MMA7455_gRange(uint8_t range) {
   MMA7455_writeByte(MMA7455_MCTL, (MMA7455_readByte(MMA7455_MCTL) & 0xF3) | (range << 1 & 0x0C));
 }
@@ -204,7 +204,7 @@ inline void MMA7455_gRange(uint8_t range) {
 //#   kind: oneToMany
 //#   needs: MMA7455_readByte MMA7455_writeByte MMA7455_MCTL
 //#   fidelity: exact
-//#   stack: 90 75
+//#   stack: 83 68
 inline void MMA7455_setMode(uint8_t mode) {
   MMA7455_writeByte(MMA7455_MCTL, (MMA7455_readByte(MMA7455_MCTL) & 0xFC) | mode);
 }
@@ -214,7 +214,7 @@ inline void MMA7455_setMode(uint8_t mode) {
 //#   kind: oneToOne
 //#   needs: MMA7455_readByte MMA7455_MCTL
 //#   fidelity: exact
-//#   stack: 85 75
+//#   stack: 78 68
 inline uint8_t MMA7455_getMode() {
   return MMA7455_readByte(MMA7455_MCTL) & 3;
 }
@@ -224,7 +224,7 @@ inline uint8_t MMA7455_getMode() {
 //#   kind: oneToMany
 //#   needs: MMA7455_readByte
 //#   fidelity: exact: 64 for 1 g
-//#   stack: 99 93
+//#   stack: 92 86
 template <class Short> inline void MMA7455_getxyz10(Short *x, Short *y, Short *z) {
   Short *values[3] = {x, y, z};
   for (uint8_t axis = 0; axis < 3; axis++) {
@@ -239,7 +239,7 @@ template <class Short> inline void MMA7455_getxyz10(Short *x, Short *y, Short *z
 //#   kind: oneToMany
 //#   needs: MMA7455_readByte MMA7455_XOUT8
 //#   fidelity: exact: the range is 128
-//#   stack: 99 81
+//#   stack: 92 76
 inline void MMA7455_getxyz8(signed char *x, signed char *y, signed char *z) {
   signed char *values[3] = {x, y, z};
   for (uint8_t axis = 0; axis < 3; axis++) *values[axis] = (signed char)MMA7455_readByte(MMA7455_XOUT8 + axis);
@@ -250,7 +250,7 @@ inline void MMA7455_getxyz8(signed char *x, signed char *y, signed char *z) {
 //#   kind: oneToMany
 //#   needs: MMA7455_writeByte MMA7455_XOFFL MMA7455_XOFFH
 //#   fidelity: exact: half units, of two bytes
-//#   stack: 67
+//#   stack: 56
 inline void MMA7455_setOffsetX(int16_t offset) {
   MMA7455_writeByte(MMA7455_XOFFL, (uint8_t)offset);
   MMA7455_writeByte(MMA7455_XOFFH, (uint8_t)(offset >> 8));
@@ -261,7 +261,7 @@ inline void MMA7455_setOffsetX(int16_t offset) {
 //#   kind: oneToMany
 //#   needs: MMA7455_writeByte MMA7455_YOFFL MMA7455_YOFFH
 //#   fidelity: exact: half units, of two bytes
-//#   stack: 67
+//#   stack: 56
 inline void MMA7455_setOffsetY(int16_t offset) {
   MMA7455_writeByte(MMA7455_YOFFL, (uint8_t)offset);
   MMA7455_writeByte(MMA7455_YOFFH, (uint8_t)(offset >> 8));
@@ -272,7 +272,7 @@ inline void MMA7455_setOffsetY(int16_t offset) {
 //#   kind: oneToMany
 //#   needs: MMA7455_writeByte MMA7455_ZOFFL MMA7455_ZOFFH
 //#   fidelity: exact: half units, of two bytes
-//#   stack: 67
+//#   stack: 56
 inline void MMA7455_setOffsetZ(int16_t offset) {
   MMA7455_writeByte(MMA7455_ZOFFL, (uint8_t)offset);
   MMA7455_writeByte(MMA7455_ZOFFH, (uint8_t)(offset >> 8));

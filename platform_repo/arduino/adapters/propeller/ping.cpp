@@ -8,7 +8,7 @@
 //#   role: ranger
 //#   pin: pin digital both split ranger
 //#   fidelity: microseconds of the echo; 0 without an echo
-//#   stack: 57 44
+//#   stack: 59 46
 inline int32_t ping(int32_t pin) {
   int32_t out = asking(pin);
   delay(1);
@@ -24,7 +24,7 @@ inline int32_t ping(int32_t pin) {
 //#   role: ranger
 //#   pin: pin digital both split ranger
 //#   fidelity: whole centimetres, rounded down
-//#   stack: 57 44
+//#   stack: 59 46
 inline int32_t ping_cm(int32_t pin) {
   return ping(pin) / 58;
 }
@@ -36,7 +36,7 @@ inline int32_t ping_cm(int32_t pin) {
 //#   role: ranger
 //#   pin: pin digital both split ranger
 //#   fidelity: whole inches, rounded down
-//#   stack: 57 44
+//#   stack: 59 46
 inline int32_t ping_inches(int32_t pin) {
   return ping(pin) / 148;
 }
