@@ -115,7 +115,7 @@ inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
 //#   needs: hal/Io read_ports
 //#   fidelity: levels at the pins; they are read one after the other, all in some 250 us; of `INA & mask` only
 //#   fidelity: those of the mask, one in some 25 us
-//#   stack: 28 14
+//#   stack: 30 16
 const struct {
   operator uint32_t() const { return read_ports(&Io::high, ~0UL); }
   template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(&Io::high, (uint32_t)mask); }
@@ -124,7 +124,7 @@ const struct {
 //# register _INA
 //#   needs: INA
 //#   fidelity: as INA
-//#   stack: 28 14
+//#   stack: 30 16
 const auto &_INA = INA;
 
 //# helper PortRegister
@@ -181,7 +181,7 @@ struct PortRegister {
 //#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 32 16
+//#   stack: 34 18
 const PortRegister OUTA = {false};
 
 //# register DIRA
@@ -189,19 +189,19 @@ const PortRegister OUTA = {false};
 //#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 32 16
+//#   stack: 34 18
 const PortRegister DIRA = {true};
 
 //# register _OUTA
 //#   needs: PortRegister OUTA
 //#   fidelity: as OUTA
-//#   stack: 32 16
+//#   stack: 34 18
 static const PortRegister &_OUTA = OUTA;
 
 //# register _DIRA
 //#   needs: PortRegister DIRA
 //#   fidelity: as DIRA
-//#   stack: 32 16
+//#   stack: 34 18
 static const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq
@@ -210,7 +210,7 @@ static const PortRegister &_DIRA = DIRA;
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
-//#   stack: 35 17
+//#   stack: 37 19
 inline void waitpeq(uint32_t state, uint32_t mask) {
   while ((INA & mask) != state) yield();
 }
@@ -221,7 +221,7 @@ inline void waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
-//#   stack: 35 17
+//#   stack: 37 19
 inline void waitpne(uint32_t state, uint32_t mask) {
   while ((INA & mask) == state) yield();
 }
@@ -493,7 +493,7 @@ inline uint16_t cog_stack_used(uint8_t number) {
 //#   needs: cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
-//#   stack: 14 2
+//#   stack: 32 16
 inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
   (void)stack;
   (void)stacksize;
@@ -515,7 +515,7 @@ inline int32_t cogid() {
 //#   kind: semantic
 //#   needs: cog_stop
 //#   fidelity: exact
-//#   stack: 69 65
+//#   stack: 75 65
 inline void cogstop(int32_t cogid) {
   cog_stop(cogid);
 }
@@ -539,7 +539,7 @@ inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
 //#   needs: waitpeq
 //#   fidelity: as waitpeq
 //#   limit: a state that lasts less than 200 us can be missed
-//#   stack: 35 17
+//#   stack: 37 19
 inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
   waitpeq(state, mask);
 }
@@ -550,7 +550,7 @@ inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: waitpne
 //#   fidelity: as waitpne
 //#   limit: a state that lasts less than 200 us can be missed
-//#   stack: 35 17
+//#   stack: 37 19
 inline void __builtin_propeller_waitpne(uint32_t state, uint32_t mask) {
   waitpne(state, mask);
 }
@@ -624,7 +624,7 @@ inline int32_t __builtin_propeller_cogid() {
 //#   kind: oneToOne
 //#   needs: cogstop
 //#   fidelity: exact
-//#   stack: 69 65
+//#   stack: 75 65
 inline void __builtin_propeller_cogstop(int32_t cogid) {
   cogstop(cogid);
 }

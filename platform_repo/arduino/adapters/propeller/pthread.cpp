@@ -192,7 +192,7 @@ inline void thread_main(void *) {
 //#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin propeller.h/COG_SLOTS Thread
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
 //#   limit: there are as many threads as the migration counted, each with a stack of COG_STACK bytes
-//#   stack: 14 5
+//#   stack: 32 16
 inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*startfunc)(void *), void *arg) {
   for (uint8_t number = 1; number <= COG_SLOTS; number++) {
     if (threads[number].used || !cog_begin(number, thread_main, 0)) continue;
@@ -208,7 +208,7 @@ inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, voi
 //#   kind: semantic
 //#   needs: thread_end
 //#   fidelity: exact
-//#   stack: 65 61
+//#   stack: 75 65
 inline void pthread_exit(void *value) {
   thread_end(value);
 }
@@ -218,7 +218,7 @@ inline void pthread_exit(void *value) {
 //#   kind: semantic
 //#   needs: pthread_t propeller.h/yield Thread
 //#   fidelity: exact; 22 (EINVAL) for a thread that is detached
-//#   stack: 61
+//#   stack: 65
 inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
   if (thread->detached) return 22;
   while (!thread->ended) yield();
@@ -254,7 +254,7 @@ inline pthread_t pthread_self() {
 //#   kind: oneToOne
 //#   needs: propeller.h/yield
 //#   fidelity: exact
-//#   stack: 61
+//#   stack: 65
 inline void pthread_yield() {
   yield();
 }
@@ -283,7 +283,7 @@ inline int32_t pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexatt
 //#   kind: semantic
 //#   needs: pthread_mutex_t propeller.h/yield
 //#   fidelity: exact; of several that wait any may be next
-//#   stack: 61
+//#   stack: 65
 inline int32_t pthread_mutex_lock(pthread_mutex_t *mutex) {
   while (mutex->locked) yield();
   mutex->locked = 1;
@@ -350,7 +350,7 @@ inline int32_t pthread_cond_destroy(pthread_cond_t *cond) {
 //#   kind: semantic
 //#   needs: pthread_cond_t pthread_mutex_lock pthread_mutex_unlock propeller.h/yield pthread_mutex_t
 //#   fidelity: exact; of several that wait any may be next
-//#   stack: 67 61
+//#   stack: 71 65
 inline int32_t pthread_cond_wait(pthread_cond_t *cond, pthread_mutex_t *mutex) {
   cond->waiting++;
   pthread_mutex_unlock(mutex);

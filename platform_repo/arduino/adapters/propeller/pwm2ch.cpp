@@ -35,7 +35,7 @@ inline pwm2ch *pwm2ch_start(uint32_t cycleMicroseconds) {
 //#   limit: widths and rests of less than 20 us are not kept
 //#   limit: of two devices, the edges of one that fall beside those of the other are up to 20 us late
 //#   range: tHigh 20.. or 0: the pulse is not kept
-//#   stack: 44 25
+//#   stack: 48 29
 //#   interrupt: TIMER1_COMPA_vect 24
 //#   interrupt: TIMER1_COMPB_vect 24
 inline void pwm2ch_set(pwm2ch *device, int32_t pin, int32_t channel, int32_t tHigh) {
@@ -47,7 +47,7 @@ inline void pwm2ch_set(pwm2ch *device, int32_t pin, int32_t channel, int32_t tHi
 //#   kind: semantic
 //#   needs: pwm2ch hal/pwm_devices
 //#   fidelity: the pins become inputs
-//#   stack: 31 22
+//#   stack: 35 26
 //#   interrupt: TIMER1_COMPA_vect 24
 //#   interrupt: TIMER1_COMPB_vect 24
 inline void pwm2ch_stop(pwm2ch *device) {

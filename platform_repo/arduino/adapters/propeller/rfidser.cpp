@@ -18,7 +18,7 @@ struct RfidReader : text_t {
 //#   kind: oneToOne
 //#   needs: rfidser RfidReader simpletools.h/high
 //#   fidelity: exact: the line for the reader is high
-//#   stack: 10 0
+//#   stack: 12 2
 inline void rfid_disable(rfidser *device) {
   high(static_cast<RfidReader *>(device)->enable);
 }
@@ -28,7 +28,7 @@ inline void rfid_disable(rfidser *device) {
 //#   kind: oneToOne
 //#   needs: rfidser RfidReader simpletools.h/low
 //#   fidelity: exact: the line for the reader is low
-//#   stack: 10 0
+//#   stack: 12 2
 inline void rfid_enable(rfidser *device) {
   low(static_cast<RfidReader *>(device)->enable);
 }
@@ -38,7 +38,7 @@ inline void rfid_enable(rfidser *device) {
 //#   kind: oneToMany
 //#   needs: rfidser rfid_disable rfid_enable
 //#   fidelity: exact
-//#   stack: 10
+//#   stack: 12 19
 inline void rfid_reset(rfidser *device) {
   rfid_disable(device);
   rfid_enable(device);
@@ -51,7 +51,7 @@ inline void rfid_reset(rfidser *device) {
 //#   pin: soutPin interrupt in
 //#   pin: enablePin digital out
 //#   fidelity: it waits half a second, as there, and the reader is on
-//#   stack: 35 21
+//#   stack: 37 34
 //#   interrupt: PCINT0_vect 41
 //#   interrupt: PCINT1_vect 58
 //#   interrupt: PCINT2_vect 58

@@ -46,7 +46,7 @@ struct HalfLine : SerialLine {
 //#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there
 //#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
 //#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
-//#   stack: 22 8
+//#   stack: 34 8
 //#   interrupt: PCINT0_vect 41
 //#   interrupt: PCINT1_vect 58
 //#   interrupt: PCINT2_vect 58

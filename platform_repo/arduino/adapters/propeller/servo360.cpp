@@ -300,11 +300,11 @@ inline int8_t servo360_place(int32_t pin) {
 //#   fidelity: the place of the servo, or -8 without a signal, -4 and -5 for a pin in use, -7 for a fifth servo
 //#   limit avr: the feedback pin needs a pin-change interrupt (all pins of an Uno)
 //#   limit: where the feedback is not wired, the angle is taken to be as calculated
-//#   stack: 94 72
+//#   stack: 100 78
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 105 105
+//#   interrupt: TIMER0_COMPA_vect 107 107
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {

@@ -10,7 +10,7 @@
 //#   fidelity: as servo_set: widths within 1 us; the pin at the first call, 1 later, -3 without a free place, as there
 //#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 //#   limit rp2040: 8 servos at a time instead of 14
-//#   stack: 36 18
+//#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servoAux_set(int32_t pin, int32_t time) {
   return servo_set(pin, time);
@@ -22,7 +22,7 @@ inline int32_t servoAux_set(int32_t pin, int32_t time) {
 //#   needs: servoAux_set
 //#   pin: pin digital out servo
 //#   fidelity: 500 us and one more for each tenth of a degree, as there
-//#   stack: 36 18
+//#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servoAux_angle(int32_t pin, int32_t degreeTenths) {
   return servoAux_set(pin, degreeTenths + 500);
@@ -34,7 +34,7 @@ inline int32_t servoAux_angle(int32_t pin, int32_t degreeTenths) {
 //#   needs: servo.h/servo_speed
 //#   pin: pin digital out servo
 //#   fidelity: 1,500 us and one more for each unit, as there, or by the table of the servo in robosmi.toml
-//#   stack: 36 18
+//#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servoAux_speed(int32_t pin, int32_t speed) {
   return servo_speed(pin, speed);
@@ -59,7 +59,7 @@ inline int32_t servoAux_get(int32_t pin) {
 //#   pin: pin digital out servo
 //#   fidelity: at most so many microseconds more or less every 20 ms; -4 for a pin without a servo
 //#   stack: 2 0
-//#   interrupt: TIMER0_COMPA_vect 25 25
+//#   interrupt: TIMER0_COMPA_vect 46 46
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servoAux_setRamp(int32_t pin, int32_t stepSize) {
@@ -72,7 +72,7 @@ inline int32_t servoAux_setRamp(int32_t pin, int32_t stepSize) {
 //#   needs: servoAux_set
 //#   pin: pin digital out servo
 //#   fidelity: what its header says: the pin becomes an input; the library's source has no body for it
-//#   stack: 20 12
+//#   stack: 22 14
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servoAux_disable(int32_t pin) {
   return servoAux_set(pin, 0);
@@ -83,7 +83,7 @@ inline int32_t servoAux_disable(int32_t pin) {
 //#   kind: oneToOne
 //#   needs: servo.h/servo_stop
 //#   fidelity: all pulses end and the pins become inputs; they go on with the next call of servoAux_set and its like, as there
-//#   stack: 22 12
+//#   stack: 24 14
 //#   interrupt: TIMER1_COMPA_vect 21
 inline void servoAux_stop() {
   servo_stop();

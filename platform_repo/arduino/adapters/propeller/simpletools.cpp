@@ -208,7 +208,7 @@ inline uint32_t get_states(int32_t endPin, int32_t startPin) {
 //#   symmetric: endPin startPin
 //#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: output latches; the pins are read one after the other, within some 5 us each
-//#   stack: 6 0
+//#   stack: 14 0
 inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
@@ -236,7 +236,7 @@ inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
 //#   symmetric: endPin startPin
 //#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: output latches; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
-//#   stack: 20 0
+//#   stack: 22 0
 inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
   PortRange range(endPin, startPin);
   for (int32_t number = range.first; number <= range.last || (pattern && number < 32); number++, pattern >>= 1)
@@ -249,7 +249,7 @@ inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
 //#   symmetric: endPin startPin
 //#   needs: hal/Io PortRange propeller.h/port
 //#   fidelity: directions; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
-//#   stack: 16 0
+//#   stack: 22 0
 inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
   PortRange range(endPin, startPin);
   for (int32_t number = range.first; number <= range.last || (pattern && number < 32); number++, pattern >>= 1)
@@ -443,7 +443,7 @@ inline int32_t answering(int32_t pin) {
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit: other cogs wait meanwhile
-//#   stack: 59 45
+//#   stack: 63 47
 inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
@@ -466,7 +466,7 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit avr: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
-//#   stack: 22 4
+//#   stack: 54 42
 inline int32_t rc_time(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
@@ -524,7 +524,7 @@ static int32_t wave_pins[2] = {-1, -1};
 //#   pin: pin digital in
 //#   fidelity: rising edges in so many milliseconds, of a wave of square_wave, too
 //#   limit: it polls: up to about 200 kHz, beside servos 20 kHz, as edges within an interrupt are not counted; other cogs wait meanwhile
-//#   stack: 38 16
+//#   stack: 37 16
 inline int32_t count(int32_t pin, int32_t duration) {
   Io io(pin);
   if (!io.wired()) {
@@ -570,7 +570,7 @@ inline bool in_range_of_tone(int32_t frequency) {
 //#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
 //#   limit: beside servos some half periods are up to 24 us longer: of 1 ms at 38 kHz one cycle of 38 may lack
 //#   range: frequency 31..65535 or 0: it waits without a tone
-//#   stack: 46 34
+//#   stack: 50 28
 //#   interrupt: TIMER2_COMPA_vect 19
 inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io(pin);
@@ -608,7 +608,7 @@ inline void end_wave(uint8_t channel) {
 //#   limit: below 31 Hz a wave stands still from the next freqout on
 //#   limit: above 65,535 Hz there is no wave
 //#   range: freq 0..65535: there is no wave
-//#   stack: 43 26
+//#   stack: 47 20
 //#   interrupt: TIMER2_COMPA_vect 19
 //#   interrupt: TIMER2_COMPB_vect 11
 inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
@@ -648,7 +648,7 @@ inline void square_wave_stop() {
 //#   fidelity: within 4 us, from the next cycle on
 //#   limit: pulses shorter than 8 us come out up to 8 us long
 //#   range: tHigh 8.. or 0: the pulse comes out up to 8 us long
-//#   stack: 32 20
+//#   stack: 38 24
 //#   interrupt: TIMER1_COMPA_vect 19
 //#   interrupt: TIMER1_COMPB_vect 19
 inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
@@ -663,7 +663,7 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
 //#   limit: cycles of more than 262 ms are made 262 ms long
 //#   limit avr: not together with servos, which need Timer1, too
 //#   range: cycleMicroseconds 20..262144: the cycle is made 262 ms or 20 us long
-//#   stack: 14 0
+//#   stack: 8 0
 //#   interrupt: TIMER1_COMPA_vect 19
 //#   interrupt: TIMER1_COMPB_vect 19
 inline int32_t pwm_start(uint32_t cycleMicroseconds) {
@@ -677,6 +677,8 @@ inline int32_t pwm_start(uint32_t cycleMicroseconds) {
 //#   needs: hal/pwm_pair
 //#   fidelity: exact: no more pulses, and the pins become inputs
 //#   stack: 4 0
+//#   interrupt: TIMER1_COMPA_vect 19
+//#   interrupt: TIMER1_COMPB_vect 19
 inline void pwm_stop() {
   end_pwm_pair();
 }
@@ -788,7 +790,7 @@ inline void clock_pulse(const Io &clock) {
 //#   pin: pinDat digital in
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 200 kHz on an AVR
-//#   stack: 43 24
+//#   stack: 48 24
 inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits) {
   bool before = mode == MSBPRE || mode == LSBPRE, highest = mode == MSBPRE || mode == MSBPOST;
   Io data(pinDat), clock(pinClk);
@@ -885,7 +887,7 @@ inline int32_t i2c_out(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t mem
 //#   kind: oneToMany
 //#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte simplei2c.h/i2c_readByte
 //#   fidelity: exact, with its count of bytes, which leaves out the last one read; 100 kHz
-//#   stack: 46 24
+//#   stack: 48 26
 inline int32_t i2c_in(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, void *data, int32_t dataCount) {
   int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
   if (!acknowledged) return 0;
@@ -902,7 +904,7 @@ inline int32_t i2c_in(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memA
 //#   kind: oneToMany
 //#   needs: simplei2c.h/i2c simplei2c.h/i2c_poll
 //#   fidelity: exact: 0 when the device acknowledges its address, 1 when it does not
-//#   stack: 2
+//#   stack: 10 2
 inline int32_t i2c_busy(i2c *busID, int32_t i2cAddr) {
   return i2c_poll(busID, i2cAddr << 1 & 0xFE);
 }
@@ -1269,7 +1271,7 @@ static int32_t cog_numbers[COG_SLOTS];
 //#   needs: CogInfo cog_numbers propeller.h/cog_start
 //#   fidelity: runs the function whenever the others wait; 0 when no cog is free
 //#   limit: the size of the stack is not used: each cog has COG_STACK bytes
-//#   stack: 7 2
+//#   stack: 25 16
 inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
   (void)stacksize;
   int8_t number = cog_start(function, 0);
@@ -1283,7 +1285,7 @@ inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
 //#   kind: semantic
 //#   needs: propeller.h/cog_stop
 //#   fidelity: exact; nothing happens where no cog was started
-//#   stack: 69 65
+//#   stack: 75 65
 template <class Number>
 inline void cog_end(Number *coginfo) {
   int32_t number = coginfo ? *coginfo - 1 : -1;

@@ -71,7 +71,7 @@ inline void sirc_setTimeout(int32_t ms) {
 //#   fidelity: exact: waits for a start of 2 to 2.8 ms; -1 for what is no bit, and after the timeout; sets the timeout of timed input
 //#   fidelity: to 20 ms, as there
 //#   limit: other cogs wait meanwhile, up to 20 ms at a time
-//#   stack: 93 73
+//#   stack: 95 75
 inline int32_t sirc_code(int32_t pin, int32_t bits) {
   set_io_dt(80);
   set_io_timeout(1600000L);
@@ -98,7 +98,7 @@ inline int32_t sirc_code(int32_t pin, int32_t bits) {
 //#   needs: sirc_code
 //#   pin: pin digital in
 //#   fidelity: exact: 0 to 9 for the digits
-//#   stack: 89 73
+//#   stack: 91 75
 inline int32_t sirc_button(int32_t pin) {
   int32_t button = sirc_code(pin, 7);
   return button < 0 || button > 9 ? button : (button + 1) % 10;
@@ -110,7 +110,7 @@ inline int32_t sirc_button(int32_t pin) {
 //#   needs: sirc_code
 //#   pin: pin digital in
 //#   fidelity: exact
-//#   stack: 89 73
+//#   stack: 91 75
 inline int32_t sirc_device(int32_t pin) {
   return sirc_code(pin, 12) >> 7;
 }

@@ -8,7 +8,7 @@
 //#   needs: simpletools.h/CogInfo simpletools.h/cog_run
 //#   fidelity: as cog_run
 //#   limit: the size of the stack is not used: each cog has COG_STACK bytes
-//#   stack: 7 2
+//#   stack: 25 16
 inline CogInfo cog_runStackTest(void (*function)(void *par), int32_t stacksize) {
   return cog_run(function, stacksize);
 }
@@ -18,7 +18,7 @@ inline CogInfo cog_runStackTest(void (*function)(void *par), int32_t stacksize) 
 //#   kind: semantic
 //#   needs: propeller.h/cog_stack_used simpletools.h/cog_end
 //#   fidelity: the most that the cog had on its stack, in ints of 4 bytes; 0 without a cog
-//#   stack: 67 61
+//#   stack: 75 65
 template <class Number>
 inline int32_t cog_endStackTest(Number *coginfo) {
   int32_t number = coginfo ? *coginfo - 1 : 0;
@@ -34,7 +34,7 @@ inline int32_t cog_endStackTest(Number *coginfo) {
 //#   needs: propeller.h/cogstart
 //#   fidelity: as cogstart
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
-//#   stack: 14 2
+//#   stack: 32 16
 inline int32_t cogstart_stackTest(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
   return cogstart(func, par, stack, stacksize);
 }
@@ -44,7 +44,7 @@ inline int32_t cogstart_stackTest(void (*func)(void *), void *par, void *stack, 
 //#   kind: semantic
 //#   needs: propeller.h/COG_SLOTS propeller.h/cog_stack_used propeller.h/cogstop
 //#   fidelity: the most that the cog had on its stack, in ints of 4 bytes; 0 without a cog
-//#   stack: 65 61
+//#   stack: 75 65
 inline int32_t cogstop_stackTest(int32_t cog, void *stack) {
   (void)stack;
   if (cog < 1 || cog > COG_SLOTS) return 0;
