@@ -66,7 +66,7 @@ def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | Non
         ModelError: a reference leads to none of these models.
     """
     from robosmi.files.files import write_atomic
-    from robosmi.model.xmi.json_parser import is_json, is_yaml
+    from robosmi.model.xmi.text_forms import is_json, is_yaml
     from robosmi.model.xmi.xmi_writer import roots_in, to_xmi
 
     target = Path(path)

@@ -26,7 +26,6 @@ from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten, settle_lists
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
-from robosmi.transformations.m2m.ports.port_registers import change_registers
 from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, port_changes
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
@@ -233,6 +232,8 @@ def put_together(
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=retained_pins(plan)))
     if retains_platform(plan):
+        from robosmi.transformations.m2m.ports.port_registers import change_registers  # other programs have no such registers
+
         change_registers(d.views, d.bindings, d.files, _same_architecture(plan), bool(move_facts(plan).pwm_frequency))
         explicit_enumerators(plan, d.files)
     settle_libraries(plan)

@@ -41,7 +41,7 @@ class _Arguments(argparse.Namespace):
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.api import merge
-    from robosmi.model.xmi.json_parser import is_json
+    from robosmi.model.xmi.text_forms import is_json
 
     report = Report("merge")
     check_replaced(arguments.output, b"eClass" if is_json(arguments.output) else b"http://www.omg.org/", "model")

@@ -7,7 +7,6 @@ Elements are built as `xmi_parser` builds them, and references are left to `xmi_
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,7 @@ from robosmi.model.elements.ecore import DynamicEObject
 from robosmi.model.elements.features import class_names
 from robosmi.model.elements.pyecore_internals import IDENTITY
 from robosmi.model.elements.xmi_plan import CHILD, CHILDREN, IGNORED, REFERENCE, REFUSED, VALUE, ClassPlan, FeatureEntry, Plans
+from robosmi.model.xmi.text_forms import is_yaml
 from robosmi.model.xmi.xmi_linker import resolve
 from robosmi.model.xmi.xmi_parser import Builder
 
@@ -29,23 +29,7 @@ CLASS, LINK, ID = "eClass", "$ref", "_id"
 """The keys that are no features."""
 UUID = "uuid"
 """What pyecore's JSON calls an id."""
-_NAMED_CLASS = re.compile(rb'"eClass"\s*:\s*"')
 _SHAPE = "give a model in the form of EMF-JSON, whose roots name their class: " + '{"eClass": "NAMESPACE#//CLASS"}'
-
-
-def is_json(path: Path) -> bool:
-    """Whether a file's model is JSON, by its name."""
-    return path.suffix.lower() == ".json"
-
-
-def is_yaml(path: Path) -> bool:
-    """Whether a file's model is YAML, by its name."""
-    return path.suffix.lower() in (".yaml", ".yml")
-
-
-def names_classes(head: bytes) -> bool:
-    """Whether a JSON text that begins so is a model: an object or a list in which an element names its class."""
-    return _NAMED_CLASS.search(head) is not None
 
 
 def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem) -> Document:

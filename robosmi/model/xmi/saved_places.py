@@ -23,9 +23,9 @@ from robosmi.model.ecore.metamodels import Metamodels, built_in
 from robosmi.model.elements.ecore import EObject, EPackage
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import own_resource_of
-from robosmi.model.xmi.json_parser import is_json, is_yaml
 from robosmi.model.xmi.json_writer import to_json
 from robosmi.model.xmi.preserved_layout import NotPreservedError, preserve_layout
+from robosmi.model.xmi.text_forms import is_json, is_yaml
 from robosmi.model.xmi.xmi_locations import XmiLocations, relative
 from robosmi.model.xmi.xmi_reader import read_alone
 from robosmi.model.xmi.xmi_writer import roots_in, text_with, to_xmi

@@ -29,7 +29,8 @@ from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
-from robosmi.model.xmi.json_parser import is_json, is_yaml, parse_json
+from robosmi.model.xmi.json_parser import parse_json
+from robosmi.model.xmi.text_forms import is_json, is_yaml
 from robosmi.model.xmi.xmi_linker import XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 

@@ -20,8 +20,7 @@ from robosmi.transformations.knowledge.adapters.adapter_checks import parameters
 from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT, board_pins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.plan_tasks import plan_findings
-from robosmi.transformations.m2m.ports.port_registers import RULE as BY_REGISTER
-from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
+from robosmi.transformations.m2m.ports.port_texts import BY_REGISTER, LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
 from robosmi.transformations.queries.plans.retained_pins import retains_platform

@@ -15,7 +15,7 @@ from robosmi import inputs
 from robosmi.base.data_text import Json, as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
-from robosmi.model.xmi.json_parser import is_json, names_classes
+from robosmi.model.xmi.text_forms import is_json, names_classes
 from robosmi.plugin_contracts import ContentFunction, ContentKind
 from robosmi.plugins import content, registry
 from robosmi.project import defaults, defaults_place

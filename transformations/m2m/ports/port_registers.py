@@ -13,6 +13,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.m2m.ports.port_texts import BY_REGISTER
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.port_pins import bound_pin
@@ -42,7 +43,6 @@ from robosmi.transformations.queries.ports.register_idioms import CHANGE, CONVER
 from robosmi.transformations.queries.ports.register_values import register_value
 from robosmi.transformations.queries.ports.timer_outputs import ATTACH, PULSE, PWM
 
-RULE = "port-register"
 _CALLS = {
     HIGH: "digitalWrite({pin}, HIGH)", LOW: "digitalWrite({pin}, LOW)", TOGGLE: "digitalWrite({pin}, !digitalRead({pin}))",
     OUTPUT: "pinMode({pin}, OUTPUT)", INPUT: "pinMode({pin}, INPUT)", PULL_UP: "pinMode({pin}, INPUT_PULLUP)",
@@ -116,7 +116,7 @@ def change_registers(
         change.bindings[0].changes.append(
             migration.TextChange(
                 unit=change.statement.view.unit, startOffset=change.start, endOffset=change.end,
-                replacement=_text(change, found, sources), rule=RULE, step=migration.Step.hardware,
+                replacement=_text(change, found, sources), rule=BY_REGISTER, step=migration.Step.hardware,
                 reason=f"the bits of the register are {names}",
             )
         )  # fmt: skip

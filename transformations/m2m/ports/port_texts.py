@@ -32,6 +32,8 @@ RULE = "port"
 """Id of the rule that replaces a port's number by a pin."""
 MOVES = frozenset({RULE, AS_WRITTEN, OF_INTERRUPT})
 """Ids of the rules of the places where a port's number is written."""
+BY_REGISTER = "port-register"
+"""Id of the rule that replaces a statement about a register (`port_registers`)."""
 LOOK_UP = "port-look-up"
 """Id of the rule that looks up a port's pin where the port is passed to a platform function."""
 OWN_NUMBER = "number-of-source"

@@ -20,7 +20,6 @@ from robosmi.transformations.queries.flows.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.port_masks import PortMasks
 from robosmi.transformations.queries.ports.register_bits import register_bits
-from robosmi.transformations.queries.ports.register_idioms import port_uses
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Value, Values
 
@@ -115,7 +114,11 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
     made = ExpandedCalls(views)
     through = [_flow_ports(flow, values, reached, count, made) for flow in flows]
     masks = PortMasks(views)
-    bits = [*(use for view in views for use in register_bits(view, masks)), *port_uses(views)]
+    bits = [use for view in views for use in register_bits(view, masks)]
+    if views and views[0].api.board is not None:
+        from robosmi.transformations.queries.ports.register_idioms import port_uses  # of boards whose pins have registers
+
+        bits += port_uses(views)
     found: dict[int, Port] = {}
     called = views[0].api.port_name if views else "P{}".format
     for number, element in _reached(through, [use for use in bits if use.pin is not None and use.pin < count]):
