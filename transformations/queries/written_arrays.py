@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeAlias
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -10,6 +11,8 @@ from robosmi.query import ancestor_of_kind
 
 _MOVED = ("+", "-")
 _COUNTS = ("++", "--")
+Declared: TypeAlias = "ccode.Variable | ccode.Parameter"
+"""An array, or a pointer to one."""
 
 
 class WrittenArrays:
@@ -22,17 +25,29 @@ class WrittenArrays:
     def __init__(self, reads: Callable[[str, int], bool] | None = None) -> None:
         self._reads = reads
         self._found: dict[int, bool] = {}
+        self._referring: dict[int, bool] = {}
 
-    def is_written(self, declaration: ccode.Variable | ccode.Parameter) -> bool:
+    def is_written(self, declaration: Declared) -> bool:
         """Whether the program may write elements of an array, or what a pointer leads to.
 
         Args:
             declaration: the array or pointer.
         """
-        if id(declaration) not in self._found:
-            self._found[id(declaration)] = False  # until it is known, for functions that pass it on to one another
-            self._found[id(declaration)] = not _is_read_only(declaration) and any(map(self._writes, declaration.references))
-        return self._found[id(declaration)]
+        pending, seen = [declaration], {id(declaration)}
+        while pending:
+            one = pending.pop()
+            if self._found.get(id(one)) is False or _is_read_only(one):
+                continue
+            takers = [] if id(one) in self._found else list(map(self._writes, one.references))
+            if id(one) in self._found or True in takers:
+                self._found[id(declaration)] = True
+                return True
+            for taker in takers:
+                if not isinstance(taker, bool) and id(taker) not in seen:
+                    seen.add(id(taker))
+                    pending.append(taker)
+        self._found.update(dict.fromkeys(seen, False))  # all that they lead to was looked at, too
+        return False
 
     def is_referred(self, reference: ccode.NameReference) -> bool:
         """Whether a use of a variable lets a reference of C++ lead to it, by which it may be written."""
@@ -40,9 +55,10 @@ class WrittenArrays:
         if isinstance(around, ccode.Variable):
             return _is_reference(around)
         if isinstance(around, ccode.Call) and reference is not around.calleeExpression:
-            return isinstance(around.callee, ccode.Function) and self._given(
+            given = isinstance(around.callee, ccode.Function) and self._given(
                 around, list(around.arguments).index(reference), inside=True
             )
+            return given if isinstance(given, bool) else self.is_written(given)
         if isinstance(around, (ccode.InitializerList, ccode.ConstructorCall, ccode.MemberInitializer)):
             return self._has_referring_members(reference)
         return False
@@ -50,13 +66,13 @@ class WrittenArrays:
     def _has_referring_members(self, reference: ccode.NameReference) -> bool:
         """Whether the file of a name declares a class with a reference as a member."""
         unit = ancestor_of_kind(reference, ccode.SourceUnit)
-        if unit is not None and id(unit) not in self._found:
+        if unit is not None and id(unit) not in self._referring:
             fields = (each for each in unit.eAllContents() if isinstance(each, ccode.Field))
-            self._found[id(unit)] = any("&" in str(field.valueType.spelling) for field in fields if field.valueType is not None)
-        return unit is not None and self._found[id(unit)]
+            self._referring[id(unit)] = any("&" in str(f.valueType.spelling) for f in fields if f.valueType is not None)
+        return unit is not None and self._referring[id(unit)]
 
-    def _writes(self, reference: ccode.NameReference) -> bool:
-        """Whether a use of an array or a pointer may write what it leads to."""
+    def _writes(self, reference: ccode.NameReference) -> bool | Declared:
+        """Whether a use of an array or a pointer may write what it leads to, or the pointer by which it may."""
         target = reference.target
         refers = isinstance(target, (ccode.Variable, ccode.Parameter)) and _is_reference(target)
         element, inside = _accessed(reference, inside=refers)
@@ -66,13 +82,13 @@ class WrittenArrays:
         if isinstance(around, ccode.Unary) and str(around.operator) in _COUNTS:
             return inside
         if isinstance(around, ccode.Variable):
-            return not inside and self.is_written(around) if not _is_reference(around) else True
+            return True if _is_reference(around) else not inside and around
         if isinstance(around, ccode.Call) and element is not around.calleeExpression:
             return self._given(around, list(around.arguments).index(element), inside=inside)  # type: ignore[arg-type]
         return not inside and isinstance(around, (ccode.Return, ccode.InitializerList, ccode.ConstructorCall, ccode.For))
 
-    def _given(self, call: ccode.Call, place: int, *, inside: bool) -> bool:
-        """Whether a function may write what a call gives it: an element (`inside`), or the array."""
+    def _given(self, call: ccode.Call, place: int, *, inside: bool) -> bool | Declared:
+        """Whether a function may write what a call gives it: an element (`inside`), or the array; or its parameter for it."""
         function = call.callee
         own = isinstance(function, ccode.Function) and function.definition
         if not own and self._reads is not None and self._reads(str(call.calleeName), place):
@@ -83,7 +99,7 @@ class WrittenArrays:
         taker = parameters[place]
         if inside and not _is_reference(taker):
             return False
-        return self.is_written(taker) if own else not _is_read_only(taker)
+        return taker if own else not _is_read_only(taker)
 
 
 def _accessed(reference: ccode.NameReference, *, inside: bool) -> tuple[Element, bool]:
