@@ -6,7 +6,6 @@ by `queries.portability`; the rules of `sketch_rules` change it, and what none o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 
@@ -21,6 +20,7 @@ from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.m2m.sketches.sketch_rules import RULES
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.macros.tokens import name_tokens
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS, PortabilityPlace
 from robosmi.transformations.queries.program_model import ProgramModel
@@ -157,7 +157,7 @@ def place_findings(
     if facts is not None:
         known = facts.registers
         registers = {kind: frozenset(known.get(told.registers, ())) for kind, told in facts.kinds.items() if told.registers}
-    left = _unchanged_lines(plan, sources) if any(place.kind in (*registers, OF_NAMES) for place in places) else {}
+    left = _names_left(plan, sources) if any(place.kind in (*registers, OF_NAMES) for place in places) else {}
     bound = {
         (str(change.unit.path), sources[str(change.unit.path)].count(b"\n", 0, change.startOffset) + 1)
         for binding in plan.portBindings
@@ -176,9 +176,9 @@ def place_findings(
     for place in places:
         at, what = (place.path, place.line), place.what
         if place.kind in registers:
-            names = [word for word in _WORD.findall(left.get(at, "")) if word in registers[place.kind]]
+            names = [name for name in left.get(at, ()) if name in registers[place.kind]]
             what = what.replace(place.name, names[0]) if names else ""
-        elif place.kind == OF_NAMES and place.name not in _WORD.findall(left.get(at, place.name)):
+        elif place.kind == OF_NAMES and place.name not in left.get(at, [place.name]):
             continue  # a change for pins has replaced it
         elif place.kind in OF_PINS and at in (moved if place.kind == BY_CALL else bound):
             continue
@@ -188,27 +188,21 @@ def place_findings(
     return found
 
 
-def _unchanged_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[tuple[str, int], str]:
-    """Path and number of each line -> what no change of the plan replaces there, without comments."""
-    texts = {path: bytearray(data) for path, data in sources.items()}
+def _names_left(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[tuple[str, int], list[str]]:
+    """Path and number of each line with names -> those of them that no change of the plan replaces."""
+    changed: dict[str, set[int]] = {}
     for change in all_changes(plan):
-        text = texts.get(str(change.unit.path)) if change.unit is not None else None
-        if text is not None:
-            gone = text[change.startOffset : change.endOffset]
-            text[change.startOffset : change.endOffset] = re.sub(rb"[^\n]", b" ", gone)
-    return {
-        (path, number): line
-        for path, text in texts.items()
-        for number, line in enumerate(_COMMENT.sub(_blank, text.decode("utf-8", "replace")).split("\n"), 1)
-    }
-
-
-def _blank(comment: re.Match[str]) -> str:
-    return "\n" * comment[0].count("\n")
-
-
-_WORD = re.compile(r"\w+")
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+        if change.unit is not None:
+            changed.setdefault(str(change.unit.path), set()).update(range(change.startOffset, change.endOffset))
+    found: dict[tuple[str, int], list[str]] = {}
+    for path, data in sources.items():
+        line, at = 1, 0
+        for start, _, name in name_tokens(data):
+            line, at = line + data.count(b"\n", at, start), start
+            names = found.setdefault((path, line), [])
+            if start not in changed.get(path, ()):
+                names.append(name)
+    return found
 
 
 OF_NAMES = "avr_libc_call"
