@@ -8,9 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, StoppedError
+from robosmi.errors import SourceError
 from robosmi.files.commit import again_when_changed
-from robosmi.files.files import digest
 from robosmi.files.recovery import at_work
 from robosmi.generate.output_paths import Places
 from robosmi.generate.project_entries import accepted_in_project
@@ -18,7 +17,7 @@ from robosmi.project import FILE_NAME, Accepted, Project, load_project
 from robosmi.query import Q
 from robosmi.quoting import toml
 from robosmi.report import Report
-from robosmi.transformations.chains.stages.edited_plan import STORED
+from robosmi.transformations.chains.stages.edited_plan import STORED, refuse_unseen
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.sources import project_folder
@@ -45,8 +44,7 @@ def accept(output: Path, accepted: Accepted, *, source: Path | None = None, seen
     """
     with at_work(output):
         data = Places(output).read(STORED) or b""
-        if seen is not None and digest(data) != seen:
-            raise StoppedError("the plan was changed elsewhere; nothing was done", fix="check the updated page, then try again")
+        refuse_unseen(output, data, seen)
         models = stored_models(output)
         place, reason = project_folder(output, models.plan, source)
         change = accepted_in_project(place, accepted) if place is not None else None

@@ -18,7 +18,7 @@ from msgspec.structs import asdict, replace
 
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
+from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.files.commit import again_when_changed
 from robosmi.files.files import digest
 from robosmi.files.recovery import at_work, look_only
@@ -29,7 +29,7 @@ from robosmi.metamodels import migration
 from robosmi.project import FILE_NAME, Project, load_project
 from robosmi.query import Q
 from robosmi.transformations.chains.move import migrate_or_move
-from robosmi.transformations.chains.stages.edited_plan import STORED
+from robosmi.transformations.chains.stages.edited_plan import STORED, refuse_unseen
 from robosmi.transformations.chains.stages.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
 from robosmi.transformations.chains.stages.moving import former_output
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
@@ -143,7 +143,7 @@ def choose(
         look_only(folder)
     with alone(folder) if dry_run else at_work(folder):
         data = Places(folder).read(STORED) or b""
-        _hold(folder, data, seen)
+        refuse_unseen(folder, data, seen)
         models = read(folder)
         unchanged = _as_stored(folder, models) if models.settled else {}
         if not models.settled:
@@ -180,19 +180,6 @@ def _as_stored(folder: Path, models: MigrationModels) -> dict[str, bytes]:
     return {name: data for name, data in found.items() if digest(data) == wanted[name]}
 
 
-def _hold(folder: Path, data: bytes, seen: str | None) -> None:
-    """Make sure that the plan is the one that the person has seen.
-
-    Raises:
-        StoppedError: the plan has changed since.
-    """
-    if seen is not None and digest(data) != seen:
-        raise StoppedError(
-            "the plan was changed elsewhere; nothing was decided", location=Location(str(folder / STORED)),
-            fix="check the updated plan, then choose again",
-        )  # fmt: skip
-
-
 def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_run: bool) -> Chosen:
     """Set the roles of components. They are read with the drawing, so the last migration is repeated.
 
@@ -201,7 +188,7 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
         SourceError: the sources of the plan are not known any more.
     """
     with alone(folder) if dry_run else at_work(folder):
-        _hold(folder, Places(folder).read(STORED) or b"", seen)
+        refuse_unseen(folder, Places(folder).read(STORED) or b"", seen)
         models = stored_models(folder)
         place, reason = project_folder(folder, models.plan)
         run = last_run(folder)

@@ -200,10 +200,7 @@ def simulate(
         made_for = compile_to_run(output, Path(folder))
         report = made_for.report
         if made_for.lacking:
-            raise VerificationError(
-                f"the model of the Arduino API cannot run the program: {made_for.lacking}",
-                fix="test it on the board: nothing is known of it here",
-            )
+            raise VerificationError(made_for.lacking, fix="test it on the board: nothing is known of it here")
         if not report.ok or report.elf is None:
             return Simulated(report)
         stored = models.plan.board if models is not None else None

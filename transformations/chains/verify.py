@@ -227,7 +227,7 @@ def _compared(
             if port.shares_with
         }
         if made_for.lacking:
-            verdict.reasons.append(f"the model of the Arduino API cannot run the program: {made_for.lacking}")
+            verdict.reasons.append(made_for.lacking)
             return Verified(verdict, replace(report, diagnostics=()))
         if not report.ok:
             return Verified(verdict, report)

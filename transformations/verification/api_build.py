@@ -46,7 +46,7 @@ class RunnableProgram(NamedTuple):
         report: how it was compiled; with the program of this computer where it is judged at the Arduino API.
         judge: where it is judged.
         not_compiled: why the board's own core has not compiled it; empty if it has.
-        lacking: why the model of the Arduino API cannot run it; empty if it can.
+        lacking: that the model of the Arduino API cannot run it, and why; empty if it can.
     """
 
     report: CompileReport
@@ -78,7 +78,8 @@ def compile_to_run(output: Path, keep: Path) -> RunnableProgram:
     except MissingToolError as error:
         not_compiled = error.message
     own = compile_by(output, api_board(board, _properties(board, toolchain), toolchain), keep=keep)
-    return RunnableProgram(own, AT_THE_API, not_compiled, "" if own.ok else _first_error(own))
+    lacking = "" if own.ok else f"the model of the Arduino API cannot run the program: {_first_error(own)}"
+    return RunnableProgram(own, AT_THE_API, not_compiled, lacking)
 
 
 def _first_error(report: CompileReport) -> str:

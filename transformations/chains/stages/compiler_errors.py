@@ -11,7 +11,6 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.model.elements.ordering import post_order
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.knowledge.platforms.target_platform import chip_macros
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
@@ -19,7 +18,7 @@ from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.plans.plan import target_of
-from robosmi.transformations.queries.plans.retained_pins import retains_platform
+from robosmi.transformations.queries.plans.retained_pins import move_facts, retains_platform
 from robosmi.transformations.queries.source_text import HEADERS, codec_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
@@ -64,13 +63,10 @@ def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> G
 
 def _headers(plan: migration.MigrationPlan) -> Mapping[str, bytes] | None:
     """The headers of the platform, with the methods that only the cores of boards such as the target have."""
-    chip = plan.board.microcontroller if plan.board is not None else None
     if plan.target is None:
         return None
     headers = dict(ApiIndex.load(str(plan.target.name)).virtual_headers())
-    facts = portability_facts(str(plan.target.name))
-    methods = facts.move_to(str(chip.name), str(chip.architecture)).methods if facts is not None and chip is not None else {}
-    for name, declared in methods.items():
+    for name, declared in move_facts(plan).methods.items():
         head = re.compile(rb"((?:struct|class)\s+%s\b[^;{]*\{)" % name.encode())
         text = rb"\1 public: " + declared.encode()
         headers = {header: head.sub(text, data) for header, data in headers.items()}

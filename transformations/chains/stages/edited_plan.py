@@ -6,11 +6,13 @@ The texts are compared, so that this also works for a plan that cannot be loaded
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import cast
 
 from lxml import etree
 
-from robosmi.errors import SourceError
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import digest
 from robosmi.generate.manifest import Manifest
 from robosmi.transformations.chains.stages.models import FOLDER, PLAN
@@ -24,6 +26,24 @@ _CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection",
 
 _LOOSE = "//text()[preceding-sibling::* or normalize-space(.) != string(.)]"
 """Text between elements, and text that may have surrounding blanks."""
+
+
+def refuse_unseen(output: Path, plan: bytes, seen: str | None) -> None:
+    """Make sure that a stored plan is the one that a person has seen.
+
+    Args:
+        output: its output folder.
+        plan: its bytes.
+        seen: the digest of what the person saw; None to take the plan as it is.
+
+    Raises:
+        StoppedError: the plan has changed since.
+    """
+    if seen is not None and digest(plan) != seen:
+        raise StoppedError(
+            "the plan was changed elsewhere; nothing was decided", location=Location(str(output / STORED)),
+            fix="check the updated plan, then choose again",
+        )  # fmt: skip
 
 
 def digest_without_choices(plan: bytes) -> str:

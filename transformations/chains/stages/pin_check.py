@@ -17,13 +17,12 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
-from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT, board_pins
-from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.ports.port_texts import BY_REGISTER, LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
-from robosmi.transformations.queries.plans.retained_pins import retains_platform
+from robosmi.transformations.queries.plans.retained_pins import retains_platform, whole_source_api
 from robosmi.transformations.queries.text_changes import all_changes, decision_of, effective
 from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinCheck, PinNames, PinPlace, follow_pins
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
@@ -105,9 +104,7 @@ def pin_names(plan: migration.MigrationPlan) -> PinNames:
 
 def _kept_names(plan: migration.MigrationPlan) -> PinNames:
     """What counts as a pin in a program whose platform stays: the functions and classes of the platform take pins themselves."""
-    assert plan.source is not None
-    # The rules write calls that the program did not have, so what the plan stores of the platform is not enough.
-    api = ApiIndex.load(str(plan.source.name)).on_board(board_pins(plan.source.boardMappings))
+    api = whole_source_api(plan)  # the rules write calls that the program did not have
     own = {str(d.name) for unit in (plan.program.units if plan.program is not None else ()) for d in unit.declarations}
     functions: dict[str, list[PinPlace]] = {}
     for function, header in api.functions_with_pins():

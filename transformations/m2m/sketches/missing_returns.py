@@ -37,8 +37,6 @@ def missing_returns(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
                 or not _falls_through(body)
             ):
                 continue
-            if any(int(use.startOffset) == int(function.startOffset) for use in view.unit.macroUses):
-                continue  # a macro, such as that of an interrupt, says what it returns
             if "&" in spelling or is_torn(body):
                 yield sketch.place(KIND, function, str(function.name))
                 continue

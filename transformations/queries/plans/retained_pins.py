@@ -120,6 +120,12 @@ def move_facts(plan: migration.MigrationPlan) -> MoveFacts:
     return facts.move_to(str(chip.name), str(chip.architecture)) if facts is not None and chip is not None else MoveFacts()
 
 
+def whole_source_api(plan: migration.MigrationPlan) -> ApiIndex:
+    """The API of the platform of a plan's source, on its board: all of it, and not what the plan stores of it."""
+    assert plan.source is not None
+    return ApiIndex.load(str(plan.source.name)).on_board(board_pins(plan.source.boardMappings))
+
+
 def retained_pins(plan: object) -> RetainedPins | None:
     """The pins of the boards of a plan whose platform stays; None for any other plan."""
     if not isinstance(plan, migration.MigrationPlan) or not retains_platform(plan):
@@ -129,7 +135,7 @@ def retained_pins(plan: object) -> RetainedPins | None:
     source, target = board_pins(plan.source.boardMappings), board_pins(plan.target.boardMappings)
     if source is None or target is None:
         return None
-    api = ApiIndex.load(str(plan.source.name)).on_board(source)
+    api = whole_source_api(plan)
     settings = api.settings.get("ports", {})
     boards = [next((m.board for m in each.boardMappings if m.board is not None), None) for each in (plan.source, plan.target)]
     kinds = [str(b.microcontroller.architecture) if b is not None and b.microcontroller is not None else "" for b in boards]

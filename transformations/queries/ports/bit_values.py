@@ -70,6 +70,16 @@ def bit_values(expression: ccode.Expression | None, is_register: _IsRegister, va
     return [BitValue(EQUAL, expression)] * WIDTH
 
 
+def assigned_bits(assignment: ccode.Assignment, is_register: _IsRegister, values: Values) -> Bits | None:
+    """What an assignment makes of the bits of a register; None if it is not understood."""
+    operator = str(assignment.operator)
+    right = bit_values(assignment.right, is_register, values)
+    if right is None or operator not in ("=", "|=", "&=", "^="):
+        return None
+    bits = right if operator == "=" else joined(operator[0], [BitValue(SAME)] * WIDTH, right)
+    return bits if all(each.what for each in bits) else None
+
+
 def joined(operator: str, left: Bits, right: Bits) -> list[BitValue]:
     """The bits of two values joined by `|`, `&` or `^`; one without `what` is not understood."""
     return [_joined(operator, one, other) for one, other in zip(left, right, strict=True)]

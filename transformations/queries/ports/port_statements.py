@@ -30,9 +30,9 @@ from robosmi.transformations.queries.ports.bit_values import (
     ZERO,
     Bits,
     BitValue,
+    assigned_bits,
     bit_values,
     bits_of,
-    joined,
 )  # fmt: skip
 from robosmi.transformations.queries.ports.register_values import macro_text, register_value
 
@@ -202,16 +202,13 @@ def _called(view: CodeView, call: ccode.Call, register: str, port: str, number: 
 
 def _assigned(assignment: ccode.Assignment, name: str, view: CodeView) -> Bits | None:
     """What an assignment makes of the bits of a register; None if it is not understood."""
-    operator = str(assignment.operator)
     is_register = lambda each: register_of(each, view) == name  # noqa: E731
-    right = bit_values(assignment.right, is_register, view.values)
-    if right is None or operator not in ("=", "|=", "&=", "^="):
+    if not name.startswith("PIN"):
+        return assigned_bits(assignment, is_register, view.values)
+    right = bit_values(assignment.right, is_register, view.values) if assignment.operator in ("=", "|=") else None
+    if right is None or any(each.what not in (ONE, ZERO) for each in right):
         return None
-    if name.startswith("PIN"):
-        constant = all(each.what in (ONE, ZERO) for each in right) and operator in ("=", "|=")
-        return [BitValue(NOT if each.what == ONE else SAME) for each in right] if constant else None
-    bits = right if operator == "=" else joined(operator[0], [BitValue(SAME)] * WIDTH, right)
-    return bits if all(each.what for each in bits) else None
+    return [BitValue(NOT if each.what == ONE else SAME) for each in right]
 
 
 def _stays(reference: ccode.NameReference, name: str, view: CodeView) -> bool:

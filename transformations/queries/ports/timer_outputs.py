@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 
 from msgspec import Struct
 
@@ -16,7 +17,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.avr_bits import PwmTimer, avr_bits
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.ports.bit_values import ONE, SAME, WIDTH, ZERO, BitValue, bit_values, joined
+from robosmi.transformations.queries.ports.bit_values import ONE, SAME, ZERO, assigned_bits
 from robosmi.transformations.queries.ports.port_statements import MODE, PinStep, PortStatement, is_statement, register_of
 from robosmi.transformations.queries.ports.register_values import register_value
 
@@ -149,7 +150,7 @@ def _settings(settings: Sequence[tuple[CodeView, ccode.Assignment, str]], timer:
                 return None
             found[role] = value
             continue
-        bits = _bits(outer, view)
+        bits = assigned_bits(outer, partial(_is_called, timer.registers[role]), view.values)
         if bits is None or any(bit.what not in (ONE, ZERO, SAME) for bit in bits):
             return None
         ones = sum(1 << n for n, bit in enumerate(bits) if bit.what == ONE)
@@ -158,12 +159,8 @@ def _settings(settings: Sequence[tuple[CodeView, ccode.Assignment, str]], timer:
     return found if len(functions) <= 1 else None
 
 
-def _bits(outer: ccode.Assignment, view: CodeView) -> Sequence[BitValue] | None:
-    name, operator = outer.left.name, str(outer.operator)  # type: ignore[union-attr]
-    right = bit_values(outer.right, lambda each: each.name == name, view.values)
-    if right is None or operator not in ("=", "|=", "&=", "^="):
-        return None
-    return right if operator == "=" else joined(operator[0], [BitValue(SAME)] * WIDTH, right)
+def _is_called(name: str, reference: ccode.NameReference) -> bool:
+    return bool(reference.name == name)
 
 
 def _top(state: dict[str, int], timer: PwmTimer) -> tuple[int, int] | None:
