@@ -90,10 +90,17 @@ def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
         raise StoppedError(f"a file exists there that is not a {what}", location=Location(str(path)), fix=ANOTHER_NAME)
 
 
+def check_model_replaced(path: Path) -> None:
+    """Make sure that a model is not written over a file that is no model in the form of its name; see `check_replaced`."""
+    from robosmi.model.xmi.text_forms import is_json, is_yaml
+
+    check_replaced(path, b"eClass" if is_json(path) or is_yaml(path) else b"http://www.omg.org/", "model")
+
+
 def write_model(root: EObject, path: Path) -> dict[str, str]:
     """Store a model where the user wants it; the artifact's entry of the report."""
     from robosmi.model import save_model
 
-    check_replaced(path, b"http://www.omg.org/XMI", "model")
+    check_model_replaced(path)
     save_model(root, path)
     return {"path": str(path), "kind": "model"}

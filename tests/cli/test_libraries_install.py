@@ -64,6 +64,23 @@ def test_other_content_is_replaced_on_request(home: Path, tmp_path: Path) -> Non
     assert [path.name for path in home.iterdir()] == ["Described_Sensor"]
 
 
+def test_a_library_that_cannot_be_replaced_stays(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert run("libraries", "install", NAME, "--from", DESCRIBED).code == 0
+    folder = home / "Described_Sensor"
+    (folder / "notes.txt").write_text("mine")
+    before, rename = files_in(folder), Path.rename
+
+    def full(path: Path, target: Path) -> Path:
+        if path.name == "new":
+            raise OSError(28, "No space left on device")
+        return rename(path, target)
+
+    monkeypatch.setattr(Path, "rename", full)
+    assert run("libraries", "install", NAME, "--from", DESCRIBED, "--replace").code == 3
+    assert files_in(folder) == before
+    assert [path.name for path in home.iterdir()] == ["Described_Sensor"]
+
+
 @pytest.mark.parametrize("name", ["Servo", f"{NAME}@9.9.9", "-v", "../x", ""])
 def test_another_name_or_version_is_refused(name: str, home: Path) -> None:
     assert run("libraries", "install", "--from", DESCRIBED, "--json", "--", name).code == 2

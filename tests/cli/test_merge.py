@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.model import open_model
 from tests.running import run
 
 SPLIT = Path(__file__).parents[1] / "model" / "split"
@@ -31,6 +32,16 @@ def test_what_both_changed_is_written_in_the_layout_of_the_first(files: list[Pat
     assert (done.code, done.document["ok"], done.result["conflicts"]) == (0, True, [])
     assert done.document["artifacts"] == [{"path": str(tmp_path / "m.xmi"), "kind": "model"}]
     assert (tmp_path / "m.xmi").read_text() == files[1].read_text().replace('weight="2"', 'weight="6"')
+
+
+@pytest.mark.parametrize("ending", [".xmi", ".json", ".yaml"])
+def test_the_merged_model_may_take_the_place_of_the_first(files: list[Path], ending: str) -> None:
+    given = [path.with_suffix(ending) for path in files]
+    for path, target in zip(files, given, strict=True):
+        if path != target:
+            open_model(path, metamodel=METAMODEL[1]).save(target)
+    assert run("merge", *given, "-o", given[1], *METAMODEL).code == 0
+    assert [node.weight for node in open_model(given[1], metamodel=METAMODEL[1]).Node.all][:2] == [5, 6]
 
 
 def test_with_conflicts_nothing_is_written(files: list[Path], tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from robosmi.base.quantities import quantity
-from robosmi.cli.common import check_replaced
+from robosmi.cli.common import check_model_replaced
 from robosmi.report import Report
 
 if TYPE_CHECKING:
@@ -41,10 +41,9 @@ class _Arguments(argparse.Namespace):
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.api import merge
-    from robosmi.model.xmi.text_forms import is_json
 
     report = Report("merge")
-    check_replaced(arguments.output, b"eClass" if is_json(arguments.output) else b"http://www.omg.org/", "model")
+    check_model_replaced(arguments.output)
     found = merge(arguments.base, arguments.a, arguments.b, take=arguments.take, metamodel=arguments.metamodels)
     report.findings = found.findings
     report.result = {"conflicts": [conflict.to_json() for conflict in found.conflicts], "written": None}

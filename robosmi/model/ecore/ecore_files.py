@@ -26,7 +26,7 @@ _OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES, "XMLNamespace.ec
 
 
 CLASSIFIERS = ("EClass", "EDataType", "EEnum")
-"""What a file may hold besides packages."""
+"""What a file may hold instead of packages."""
 
 
 def no_package(path: Path, roots: list[EcoreNode]) -> SourceError:

@@ -254,6 +254,8 @@ def _put(files: Files, folder: Path) -> None:
             folder.rename(made / "old")
         (made / "new").rename(folder)
     except OSError as error:
+        if made is not None and os.path.lexists(made / "old"):
+            (made / "old").rename(folder)
         raise SourceError(
             f"the library cannot be written: {error.strerror}",
             location=Location(str(folder)),
