@@ -17,7 +17,7 @@ WRITTEN = {"first": True, "second": True, "third": False}
 
 @pytest.mark.parametrize("order", list(permutations(WRITTEN)), ids="-".join)
 def test_functions_that_call_one_another_hand_an_array_on(order: tuple[str, ...]) -> None:
-    declarations = [d for unit in robosmi.load_code([PROGRAM]).units for d in unit.declarations]
+    declarations = [d for unit in robosmi.load_code(PROGRAM).units for d in unit.declarations]
     arrays = {str(each.name): each for each in declarations if isinstance(each, ccode.Variable)}
     written = WrittenArrays()
     assert {name: written.is_written(arrays[name]) for name in order} == WRITTEN
