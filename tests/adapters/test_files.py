@@ -9,6 +9,7 @@ import glob
 import subprocess
 from collections.abc import Iterator
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import clang.cindex
@@ -21,6 +22,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from tests.adapters.bench import ADAPTERS, MOTORS, NO_PIN, pieces
+from tests.tiers import one_of_each
 from tests.tools import require_tools
 
 CORE = Path("/usr/share/arduino/hardware/arduino/avr")
@@ -84,9 +86,12 @@ def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
     return f"#include <Arduino.h>\n{text}\nvoid use() {{\n{taken}}}\n"
 
 
-@pytest.mark.parametrize("mcu", VARIANTS)
-@pytest.mark.parametrize("header", HEADERS)
-def test_all_of_a_header_compile_together(header: str, mcu: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "place", one_of_each(product(HEADERS, VARIANTS), lambda place: place[1] if place[0] == HAL else place[0]), ids="-".join
+)
+def test_all_of_a_header_compile_together(place: tuple[str, str], tmp_path: Path) -> None:
+    """Each header for one microcontroller, the hardware layer for each; the tier `all` has the others."""
+    header, mcu = place
     wanted = {key for key in KEYS if key[0] == header}
     known = AdapterPieces(pieces(), architecture="avr")
     needed = known.needed(sorted(wanted), mcu)

@@ -16,6 +16,7 @@ from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.adapters.bench import BESIDE, CASES, NO_PIN, NOT_IN_C, NOTHING_TO_DO, broken, notices
 from tests.adapters.bench_c import HEAD, MCUS, UnoInC, alone, pieces
 from tests.adapters.cases import load_cases
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 load_cases()
@@ -32,7 +33,7 @@ def _tools() -> None:
     require_engine("simavr")
 
 
-@pytest.mark.parametrize("name", IN_C)
+@pytest.mark.parametrize("name", sample(IN_C, 14))
 def test_adapters_in_c_do_what_the_library_documents(name: str) -> None:
     CASES[name][0](UnoInC())
 
@@ -50,7 +51,7 @@ def test_some_cases_fail_when_an_adapter_in_c_is_broken(name: str) -> None:
     assert [way for way, text in ways.items() if not notices(case, adapters[0], text, UnoInC)] == []
 
 
-@pytest.mark.parametrize("key", KEYS[::6], ids="/".join)
+@pytest.mark.parametrize("key", KEYS[::12], ids="/".join)
 def test_some_adapters_in_c_compile_alone(key: tuple[str, str], tmp_path: Path) -> None:
     """A sample; `make adapters` compiles each."""
     assert [said for mcu in MCUS if (said := alone(key, mcu, tmp_path))] == []

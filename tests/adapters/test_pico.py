@@ -18,19 +18,20 @@ from robosmi.verify.simulation import DeviceUse
 from tests.adapters.bench import ADAPTERS, pieces
 from tests.adapters.pico import run, said
 from tests.adapters.test_files import HEADERS, KEYS
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 REASON = "//# unsupported "
 OF_HEADERS = [header for header in HEADERS if header != HAL]
 
 
-@pytest.mark.parametrize("header", OF_HEADERS)
+@pytest.mark.parametrize("header", sample(OF_HEADERS, 14))
 def test_all_of_a_header_compile_for_the_pico(header: str, tmp_path: Path) -> None:
     require_tools("arm-none-eabi-g++")
     assert said([key for key in KEYS if key[0] == header], tmp_path) == ""
 
 
-@pytest.mark.parametrize("header", OF_HEADERS)
+@pytest.mark.parametrize("header", sample(OF_HEADERS, 14))
 def test_all_of_a_header_compile_on_the_arduino_api(header: str, tmp_path: Path) -> None:
     require_tools("arm-none-eabi-g++")
     lacking = AdapterPieces(pieces(), architecture="other").needed(KEYS, "other").unserved

@@ -1,6 +1,6 @@
 """`generate` reads the stored models and nothing else: it makes the same bytes where all other files are out of reach.
 
-Over 30 programs: of the corpus that ROBOSMI_CORPUS names, else the project's own.
+Over 5 programs, and over 30 in the tier `all`: of the corpus that ROBOSMI_CORPUS names, else the project's own.
 """
 
 from __future__ import annotations
@@ -19,9 +19,10 @@ from robosmi.errors import RobosmiError, SourceError
 from robosmi.transformations.chains.generate import generate
 from tests.corpus.migrate_corpus import programs
 from tests.running import tree
+from tests.tiers import sample
 
 ROOT = Path(__file__).parents[2]
-COUNT = 30
+FEW, MANY = 5, 30
 Program = tuple[Sequence[Path], Path | None, str | None]
 """Source files, drawing, target."""
 
@@ -35,24 +36,25 @@ def alone(work: str, jobs: Iterable[tuple[Path, Path, Path]]) -> subprocess.Comp
     )
 
 
-def chosen() -> list[Program]:
-    """Programs with their drawings, at even distances in the order of their names."""
+def chosen(count: int) -> list[Program]:
+    """So many programs and more, with their drawings, at even distances in the order of their names."""
     corpus = os.environ.get("ROBOSMI_CORPUS")
     if corpus:
         found: list[Program] = [(files, None, None) for files in programs(Path(corpus))]
-        return found[:: max(1, len(found) // COUNT)]
+        return found[:: max(1, len(found) // count)]
     cases = ROOT / "tests" / "transformations" / "m2t" / "cases"
     own: list[Program] = [(sorted(path.glob("input/*.c")), None, None) for path in sorted(cases.iterdir())]
     drawn: list[Program] = [
         ([path.parent / f"{path.parent.name}.c"], path, None) for path in sorted((ROOT / "docs" / "examples").glob("*/*.fzz"))
     ]
     plain: Program = ([cases / "ports_open" / "input" / "ports.c"], None, "avr-c")
-    return [plain, *drawn, *[program for program in own if program[0]][:: max(1, len(own) // COUNT)]]
+    return [plain, *drawn, *[program for program in own if program[0]][:: max(1, len(own) // count)]]
 
 
-def test_the_stored_models_alone_give_the_same_bytes(tmp_path: Path) -> None:
+@pytest.mark.parametrize("count", sample([FEW, MANY], 1))
+def test_the_stored_models_alone_give_the_same_bytes(count: int, tmp_path: Path) -> None:
     jobs: list[tuple[Path, Path, Path]] = []
-    for number, (files, drawing, target) in enumerate(chosen()):
+    for number, (files, drawing, target) in enumerate(chosen(count)):
         folder = tmp_path / f"{number:03}"
         try:
             robosmi.migrate(list(files), folder / "made", hardware=drawing, target=target)
@@ -64,7 +66,7 @@ def test_the_stored_models_alone_give_the_same_bytes(tmp_path: Path) -> None:
             (folder / name).mkdir()
         shutil.copytree(folder / "made" / "models", folder / "sent" / "models")
         jobs.append((folder / "sent" / "models" / "plan.xmi", folder / "sent" / "models", folder / "again" / "out"))
-    assert len(jobs) >= COUNT
+    assert len(jobs) >= count
     done = alone("generate", jobs)
     assert done.returncode == 0, done.stdout + done.stderr
     for plan, _, again in jobs:

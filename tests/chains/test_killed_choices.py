@@ -23,6 +23,7 @@ from robosmi.transformations.chains.choose import choose
 from robosmi.transformations.chains.stages import written_output
 from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
+from tests.tiers import sample
 
 CHANGES = ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.chmod")
 
@@ -75,7 +76,7 @@ def at_each_point(run: Callable[[], object], folders: list[Path], look: Callable
     return at - 1
 
 
-@pytest.mark.parametrize("begun", ["with a project file", "without one"])
+@pytest.mark.parametrize("begun", sample(["with a project file", "without one"], 1))
 def test_a_killed_choice_is_whole_or_not_at_all(begun: str, data: Path, robot: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     out, project, states = robot / "out", robot / "robosmi.toml", list[tuple[dict[str, str], str]]()
     if begun == "without one":

@@ -8,13 +8,14 @@ import pytest
 
 import robosmi
 from tests.running import run
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 CASES = Path(__file__).parent / "cpp_pins"
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("name", ["virtual.cpp", "new.cpp", "header_class", "lambda_capture.cpp"])
+@pytest.mark.parametrize("name", sample(["virtual.cpp", "new.cpp", "header_class", "lambda_capture.cpp"], 2))
 def test_a_program_in_cplusplus_is_compared(name: str, tmp_path: Path) -> None:
     require_tools("gcc", "avr-gcc", "arduino-core-avr")
     require_engine("simavr")

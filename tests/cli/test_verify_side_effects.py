@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.running import run
+from tests.tiers import sample
 from tests.tools import require_engine, require_verification
 
 PROGRAM = """#include "simpletools.h"
@@ -61,7 +62,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("engine", ["simavr", "avr8js"])
-@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("change", sample(CHANGES, 6))
 def test_what_is_done_beside_channels_is_compared(change: str, engine: str, made: Path, tmp_path: Path) -> None:
     if engine == "avr8js" and "console" not in change:
         pytest.skip("only the console's speed is told by each engine itself")
@@ -104,7 +105,7 @@ DARK = {
 """Name of a change -> what it replaces in the sketch, by what, and from when (ms) the programs differ."""
 
 
-@pytest.mark.parametrize("change", DARK)
+@pytest.mark.parametrize("change", sample(DARK, 2))
 def test_pins_that_are_driven_and_read_back_are_compared(change: str, tmp_path: Path) -> None:
     require_verification("simavr")
     (tmp_path / "p.c").write_text(ALSO_READ)
@@ -186,7 +187,7 @@ ENDS = {
 }
 
 
-@pytest.mark.parametrize("name", ENDS)
+@pytest.mark.parametrize("name", sample(ENDS, 1))
 @pytest.mark.parametrize("longer", [False, True])
 def test_pulses_of_a_program_that_ends_are_compared_as_far_as_the_other_side_runs(
     name: str, longer: bool, tmp_path: Path
@@ -215,7 +216,10 @@ int main() {
 
 @pytest.mark.parametrize(
     ("old", "new", "different"),
-    [("1047", "1047", False), ("1319", "1480", True), ("120", "180", True), ("i < 4", "i < 3", True), ("2000", "1900", True)],
+    sample(
+        [("1047", "1047", False), ("1319", "1480", True), ("120", "180", True), ("i < 4", "i < 3", True), ("2000", "1900", True)],
+        2,
+    ),
 )
 def test_notes_without_a_pause_between_them_are_compared(old: str, new: str, different: bool, tmp_path: Path) -> None:
     """The source is silent for some microseconds between two of them, which nobody hears, and a timer of the target is not."""

@@ -20,12 +20,13 @@ from robosmi.transformations.queries.resources.stack_depth import CORE_INTERRUPT
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 PROGRAMS = Path(__file__).parent / "programs"
 BIND = {"P25": "D6", "P26": "D13", "P27": "D12", "P5": "D5"}
 SERVOS = ["D9", "D10"]
-BOARDS = ["uno", "leonardo", "mega"]
+BOARDS = sample(["uno", "leonardo", "mega"], 1)
 PICO = "pico"
 
 
@@ -170,7 +171,7 @@ def test_what_a_cog_is_held_up_by_is_taken_off_its_next_pauses(board: str, tmp_p
     assert gaps(blinks) == [pytest.approx(100, abs=12)] * (len(blinks) - 1)
 
 
-@pytest.mark.parametrize("board", ["uno", "mega", PICO])
+@pytest.mark.parametrize("board", [*sample(["uno", "mega"], 1), PICO])
 def test_threads_are_joined_and_share_a_mutex(board: str, tmp_path: Path) -> None:
     assert run("threads", tmp_path, 250, board).text == "70 4\n"
 
@@ -199,7 +200,7 @@ def pulses(trace: PinTrace, pin: str) -> list[float]:
     return [at / 1000 for at, width in trace.pulses(pin) if width > 1000]
 
 
-@pytest.mark.parametrize("board", ["uno", "mega", PICO])
+@pytest.mark.parametrize("board", [*sample(["uno", "mega"], 1), PICO])
 def test_a_drive_is_started_in_a_cog(board: str, tmp_path: Path) -> None:
     trace = run("drive_in_a_cog", tmp_path, 1500, board)
     for pin in SERVOS:
@@ -208,7 +209,7 @@ def test_a_drive_is_started_in_a_cog(board: str, tmp_path: Path) -> None:
         assert gaps(begun)[-20:] == [pytest.approx(20, abs=1.5)] * 20
 
 
-@pytest.mark.parametrize("board", ["uno", "mega"])
+@pytest.mark.parametrize("board", sample(["uno", "mega"], 1))
 def test_a_cog_blinks_while_main_drives(board: str, tmp_path: Path) -> None:
     trace = run("cog_beside_a_drive", tmp_path, 3000, board)
     for pin in SERVOS:

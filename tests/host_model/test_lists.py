@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.verification.originals import original_program, stand_in_headers
 from robosmi.verify.original_run import run_original
 from tests.host_model.bench import ROOT, built, model
+from tests.tiers import sample
 from tests.tools import require_tools
 
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
@@ -30,6 +32,7 @@ def _tools() -> None:
     require_tools("gcc", "objcopy")
 
 
+@cache
 def with_adapters() -> dict[str, set[str]]:
     """Header -> functions of the source platform that have an adapter with a body."""
     found: dict[str, set[str]] = {}
@@ -40,7 +43,7 @@ def with_adapters() -> dict[str, set[str]]:
     return found
 
 
-@pytest.mark.parametrize("header", sorted(with_adapters()))
+@pytest.mark.parametrize("header", sample(sorted(with_adapters()), 12))
 def test_what_has_an_adapter_has_a_model(header: str) -> None:
     names = sorted(name for name in with_adapters()[header] if f"{header}/{name}" not in NOT_MODELLED)
     assert (ROOT / "platform_repo" / "propeller" / "host" / "include" / header).is_file() or (
@@ -58,10 +61,16 @@ def test_reasons_name_what_has_an_adapter() -> None:
     assert sorted({*NOT_MODELLED} - known) == []
 
 
+@cache
+def api() -> ApiIndex:
+    """What the headers of the source platform declare."""
+    return ApiIndex.load("propeller")
+
+
 @pytest.mark.parametrize("header", sorted(path.name for path in (ROOT / "platform_repo/propeller/host/include").glob("*.h")))
 def test_headers_declare_no_name_that_the_platforms_header_has_not(header: str) -> None:
     """A misspelt function, or one too many, would be a program's own name taken away."""
-    index = ApiIndex.load("propeller")
+    index = api()
     if index.raw_kind(header) is None:
         assert header in ("host.h", "terminal_codes.h")
         return

@@ -12,6 +12,7 @@ import robosmi
 from robosmi.errors import SourceError, UsageError
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run
+from tests.tiers import sample
 from tests.tools import require_tools
 
 HERE = Path(__file__).parent
@@ -88,7 +89,7 @@ def test_the_makefile_says_for_which_board_it_is(tmp_path: Path) -> None:
     assert compile_sketch(tmp_path / "out", "micro").diagnostics == ()  # the same microcontroller
 
 
-@pytest.mark.parametrize("case", PROGRAMS, ids=lambda path: path.name)
+@pytest.mark.parametrize("case", sample(PROGRAMS, 16), ids=lambda path: path.name)
 def test_programs_compile_as_c(case: Path, tmp_path: Path) -> None:
     """Programs with all that C has and C++ has not, of one file and of several."""
     require_tools("avr-gcc", "avr-objcopy", "avr-size")

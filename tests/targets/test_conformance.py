@@ -18,10 +18,22 @@ from robosmi.plugins import registry
 from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.knowledge.platforms.target_platform import LANGUAGES, target_facts, target_names
 from tests.running import tree
+from tests.tiers import one_of_each
 from tests.tools import NO_CORE, require_tools
 
 PROGRAM = Path(__file__).parent / "program"
+
+
+def chip_of(target: str) -> str:
+    """The microcontroller of a target's board."""
+    found = target_facts(target).board_model.microcontroller
+    assert found is not None
+    return str(found.name)
+
+
 TARGETS = target_names()
+OF_EACH_KIND = one_of_each(TARGETS, lambda name: (target_facts(name).model.generator, chip_of(name)))
+"""One target of each generator and microcontroller; the tier `all` has the others."""
 LABELS = {"pico": "GP", "picow": "GP", "esp32": "IO", "esp32c3": "IO"}
 """What boards call their pins, if not D0, D1 ..."""
 
@@ -75,7 +87,7 @@ def test_a_target_is_complete(target: str) -> None:
             assert target_facts(name).target == target
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", OF_EACH_KIND)
 def test_a_program_is_moved_and_a_second_run_changes_nothing(target: str, moved: dict[str, Path]) -> None:
     made = output(target, moved)
     facts = target_facts(target)
@@ -97,7 +109,7 @@ def test_a_program_is_moved_and_a_second_run_changes_nothing(target: str, moved:
     assert tree(made) == before
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", OF_EACH_KIND)
 def test_what_was_made_compiles_and_fits(target: str, moved: dict[str, Path]) -> None:
     require_tools("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr", "arm-none-eabi-g++")
     if target in NO_CORE:

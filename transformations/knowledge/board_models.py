@@ -527,8 +527,11 @@ def check_names(pins: Sequence[platform.Pin], board: DataTable, shared_channels:
     for values in (labels, ports, channels):
         if twice := {value for value in values if values.count(value) > 1}:
             raise board.error("pins", f"has {', '.join(sorted(twice))} twice")
+    bearers: dict[str, list[platform.Pin]] = {}
     for pin in pins:
-        others = [other for other in pins if other is not pin]
+        for name in (str(pin.label), *pin.aliases):
+            bearers.setdefault(name, []).append(pin)
+    for pin in pins:
         for alias in pin.aliases:
-            if (other := next((each for each in others if alias in (each.label, *each.aliases)), None)) is not None:
+            if (other := next((each for each in bearers[alias] if each is not pin), None)) is not None:
                 raise board.error("pins", f"gives '{pin.label}' the alias '{alias}', which is a name of '{other.label}'")

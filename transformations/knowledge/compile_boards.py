@@ -10,7 +10,7 @@ are instantiated for the pins of a board.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -102,19 +102,18 @@ def board_claims(
     path = next(find_files(f"{platform_name}/toolchain.toml", project), None)
     if path is None or "board_check" not in table_of(path).values or not mapping.variant:
         return tuple
-    file = board_file(str(board.name), project)
-    names = mapping_file(platform_name, str(board.name), project)
-    by_label = {str(pin.label): written_by_label(pin, platform_name, project) for pin in board.pins}
-    return partial(_claims, table_of(path), mapping, file, names, by_label)
+    return partial(_claims, table_of(path), platform_name, board, mapping, project)
 
 
 def _claims(
-    toolchain: DataTable, mapping: platform.BoardMapping, pins: Path | None, names: Path | None, by_label: Mapping[str, str]
+    toolchain: DataTable, platform_name: str, board: platform.Board, mapping: platform.BoardMapping, project: Path | None
 ) -> tuple[Claim, ...]:
     """The claims of a board, from its file with the pins and its file with the names that the platform gives them.
 
     A number in the file is what programs write, so it is compared with what they would write without it.
     """
+    pins, names = board_file(str(board.name), project), mapping_file(platform_name, str(board.name), project)
+    by_label = {str(pin.label): written_by_label(pin, platform_name, project) for pin in board.pins}
     entries = toolchain.table("board_check").tables("claims")
     table = table_of(names) if names is not None else None
     numbers = table.table("numbers", needed=False).values if table is not None else {}

@@ -12,6 +12,7 @@ from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 FOLDER = Path(__file__).parent / "motor_channels"
@@ -102,7 +103,7 @@ def duty(trace: PinTrace, pin: str, at_ms: float) -> float:
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("table", COMPLETE)
+@pytest.mark.parametrize("table", sample(COMPLETE, 3))
 def test_forward_backward_turn_and_stop_set_pwm_and_directions(table: str, tmp_path: Path) -> None:
     trace = traced(DRIVE, table, COMPLETE[table], tmp_path, 3200)
     half = pytest.approx(0.5, abs=0.01)

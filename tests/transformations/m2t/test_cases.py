@@ -29,6 +29,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.migrate import migrate
 from robosmi.transformations.chains.stages.output import Generated
 from tests.running import tree
+from tests.tiers import sample
 from tests.tools import require_tools
 from tests.transformations.m2t.truth import overlaps, verdict_faults
 
@@ -107,7 +108,7 @@ def test_the_sketch_is_the_expected_one(name: str, tmp_path: Path, examples: Pat
     assert set(made) == set(wanted)
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", sample(CASES, 57))
 def test_every_element_has_one_verdict_and_a_second_run_changes_nothing(name: str, tmp_path: Path, examples: Path) -> None:
     made = migrated(name, tmp_path, examples, "filled")
     assert verdict_faults(made.models.plan) == []
@@ -121,7 +122,7 @@ def test_every_element_has_one_verdict_and_a_second_run_changes_nothing(name: st
     shutil.rmtree(tmp_path / "again")
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", sample(CASES, 28))
 def test_the_sketch_compiles(name: str, tmp_path: Path, examples: Path) -> None:
     require_tools("avr-gcc", "arduino-core-avr")
     made = migrated(name, tmp_path, examples, "filled")

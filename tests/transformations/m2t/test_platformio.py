@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.metamodels.platform import Microcontroller
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.verify.toolchains.boards import load_boards
 from tests.running import run
+from tests.tiers import one_of_each
 
 IDLE = Path(__file__).parent / "bench" / "idle.c"
 NAMES = {
@@ -39,18 +41,23 @@ def settings(path: Path) -> configparser.ConfigParser:
     return parser
 
 
+def chip(board: str) -> Microcontroller:
+    """The microcontroller of a board."""
+    found = load_board(board).microcontroller
+    assert found is not None
+    return found
+
+
 def test_each_board_has_its_name() -> None:
     assert {board.name for board in load_boards("arduino")} == set(NAMES)
 
 
-@pytest.mark.parametrize("board", sorted(NAMES))
+@pytest.mark.parametrize("board", one_of_each(sorted(NAMES), lambda name: chip(name).name))
 def test_the_file_of_a_board(board: str, tmp_path: Path) -> None:
     robosmi.migrate([IDLE], tmp_path / "out", target=board)
     found = settings(tmp_path / "out" / "idle" / "platformio.ini")
     assert dict(found["platformio"]) == {"src_dir": ".", "default_envs": board}
-    chip = load_board(board).microcontroller
-    assert chip is not None
-    name, more = OTHER_PLATFORMS.get(str(chip.name), ("atmelavr", {}))
+    name, more = OTHER_PLATFORMS.get(str(chip(board).name), ("atmelavr", {}))
     assert dict(found[f"env:{board}"]) == {"platform": name, "board": NAMES[board], "framework": "arduino", **more}
     fqbn = next(each.full_names[0] for each in load_boards("arduino") if each.name == board)
     text = (tmp_path / "out" / "idle" / "sketch.yaml").read_text()

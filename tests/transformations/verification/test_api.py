@@ -14,6 +14,7 @@ from robosmi.transformations.chains.verify import Verified, verify
 from robosmi.transformations.verification.api_build import AT_THE_API
 from robosmi.transformations.verification.engines import api
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE
+from tests.tiers import sample
 from tests.tools import require_engine
 
 PROGRAMS = Path(__file__).parent / "api_programs"
@@ -56,7 +57,7 @@ def change(out: Path, old: str, new: str) -> None:
     path.write_text(text.replace(old, new))
 
 
-@pytest.mark.parametrize("name", BINDINGS)
+@pytest.mark.parametrize("name", sample(BINDINGS, 3))
 def test_a_moved_program_shows_no_difference_and_a_wrong_one_does(name: str, tmp_path: Path) -> None:
     out = moved(name, tmp_path, "uno-r4-minima", BINDINGS[name])
     done = judged(name, out)

@@ -13,6 +13,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
+from tests.tiers import sample
 from tests.tools import require_verification
 
 PROGRAM = Path(__file__).parent / "programs" / "button.c"
@@ -48,7 +49,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "out"
 
 
-@pytest.mark.parametrize("what", SPOILT)
+@pytest.mark.parametrize("what", sample(SPOILT, 2))
 def test_a_spoilt_adapter_is_named(what: str, made: Path, tmp_path: Path) -> None:
     old, new, function, line, channel, said = SPOILT[what]
     out = tmp_path / "out"

@@ -17,6 +17,7 @@ import pytest
 import robosmi
 from robosmi.transformations.chains.verify import verify
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, Verdict
+from tests.tiers import sample
 from tests.tools import require_verification
 
 CASES = sorted((Path(__file__).parent / "device_cases").iterdir())
@@ -27,7 +28,7 @@ def _tools() -> None:
     require_verification("simavr")
 
 
-@pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])
+@pytest.mark.parametrize("case", sample(CASES, 8), ids=[case.name for case in CASES])
 def test_a_right_migration_has_no_difference_and_a_wrong_one_has(case: Path, tmp_path: Path) -> None:
     facts = migrated(case, tmp_path)
     right = judged(tmp_path, case)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -307,6 +308,7 @@ def number(text: str) -> int | None:
     return int(text, 16 if text.startswith("0x") else 10) if _NUMBER.match(text) else None
 
 
+@cache
 def low_of(register: str) -> str:
     """The lower register of the pair to which a register belongs."""
     which = int(register[1:]) if register[:1] == "r" and register[1:].isdecimal() else -1

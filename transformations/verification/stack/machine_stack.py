@@ -304,7 +304,8 @@ class Depths:
             into, taken = self._deepest(called)
             if (deep := own + taken.most) > most:
                 most, way = deep, into
-            into, taken = self._deepest(called, opens=True)
+            if called:
+                into, taken = self._deepest(called, opens=True)
             deep = own + taken.open if into is not None and taken.open >= 0 else max(states[at].open, after.open)
             if deep > opened:
                 opened, open_way = deep, into
@@ -335,6 +336,8 @@ class Depths:
 
     def _deepest(self, called: Sequence[_Key], *, opens: bool = False) -> tuple[_Key | None, FunctionStack]:
         """Of the functions that an instruction may call, the one that takes most stack, and what it takes."""
+        if not called:
+            return None, _NOTHING
         known = {key: self._known[key] for key in called if key in self._known}
         deepest = max(known, key=lambda key: known[key].open if opens else known[key].most, default=None)
         return deepest, known[deepest] if deepest is not None else _NOTHING
