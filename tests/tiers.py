@@ -26,6 +26,7 @@ from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.toolchains.tools import run
+from tests.processor_seconds import ProcessorSeconds
 
 T = TypeVar("T")
 
@@ -86,6 +87,7 @@ def join(config: pytest.Config) -> None:
     for mark, meaning in MARKS.items():
         config.addinivalue_line("markers", f"{mark}: {meaning}")
     config.pluginmanager.register(Tiers(_chosen), "tiers")
+    config.pluginmanager.register(ProcessorSeconds(_chosen), "processor seconds")
 
 
 class Tiers:

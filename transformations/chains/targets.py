@@ -18,7 +18,6 @@ from robosmi.transformations.knowledge.board_models import not_simulated
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts, target_names
 from robosmi.transformations.verification.jobs import api_facts
 from robosmi.verify.simulation import Engine, engine_names
-from robosmi.verify.toolchains.boards import load_boards
 from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.toolchains.tools import find_installed
@@ -109,18 +108,19 @@ def _table(project: Path | None) -> TargetTable:
     facts = [target_facts(name, project) for name in target_names(project)]
     return TargetTable(
         [
-            _known(each, toolchains, tools, engines, project)._replace(
-                full_name=_full_name(each), not_simulated=not_simulated(each.board, project)
+            _known(each, toolchains, tools, engines)._replace(
+                full_name=next(iter(_full_names(each)), ""), not_simulated=not_simulated(each.board, project)
             )
             for each in facts
         ]
     )
 
 
-def _full_name(facts: TargetFacts) -> str:
+def _full_names(facts: TargetFacts) -> tuple[str, ...]:
+    """The names of a target's board in the platform's tools, the preferred one first."""
     made = facts.model.platform
-    mappings = made.boardMappings if made is not None else ()
-    return next((str(mapping.boardId) for mapping in mappings if mapping.board is facts.board_model), "")
+    mapping = next((each for each in made.boardMappings if each.board is facts.board_model), None) if made is not None else None
+    return tuple(str(name) for name in (mapping.boardId, *mapping.otherIds) if name) if mapping is not None else ()
 
 
 def _tools(toolchain: Toolchain) -> str:
@@ -132,9 +132,7 @@ def _tools(toolchain: Toolchain) -> str:
     return ""
 
 
-def _known(
-    facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str, str], engines: Sequence[Engine], project: Path | None
-) -> KnownTarget:  # fmt: skip
+def _known(facts: TargetFacts, toolchains: dict[str, Toolchain], tools: dict[str, str], engines: Sequence[Engine]) -> KnownTarget:
     model, board = facts.model, facts.board_model
     toolchain = toolchains.get(str(model.toolchain.name)) if model.toolchain is not None else None
     core, missing = "missing", ""
@@ -142,7 +140,7 @@ def _known(
         missing = tools[toolchain.name]
         core = "missing" if missing else "installed"
     elif toolchain is not None:
-        core, missing = _of_its_core(facts, toolchain, project)
+        core, missing = _of_its_core(facts, toolchain)
     mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
     serving = [engine for engine in engines if engine.serves(mcu)]
     ready = next((engine.name for engine in serving if engine.missing() is None), None)
@@ -156,12 +154,10 @@ def _known(
     return KnownTarget(facts.target, str(board.title), AT_THE_PINS, core, ready, missing)
 
 
-def _of_its_core(facts: TargetFacts, toolchain: Toolchain, project: Path | None) -> tuple[str, str]:
+def _of_its_core(facts: TargetFacts, toolchain: Toolchain) -> tuple[str, str]:
     """What builds programs for a board by its own core, and what to install."""
-    boards = load_boards(toolchain.platform, project)
-    names = next((board.full_names for board in boards if board.name == facts.board_model.name), ())
     try:
-        found: InstalledBoard | None = content("query", "installed_board")(names, toolchain)
+        found: InstalledBoard | None = content("query", "installed_board")(_full_names(facts), toolchain)
     except RobosmiError as error:
         return "missing", str(error.fix or error.message)
     if found is None:

@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 PROGRAMS = sorted((Path(__file__).parent / "moved_ports").glob("*.c"))
@@ -43,7 +44,7 @@ def findings(plan: migration.MigrationPlan) -> list[str]:
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("program", sample(PROGRAMS, 18), ids=lambda path: path.stem)
 def test_each_port_moves_its_own_pin(program: Path, tmp_path: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     require_engine("simavr")

@@ -14,6 +14,7 @@ import robosmi
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.queries.resources.loop_time import Time, loop_time
 from tests.running import run
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 PROGRAMS = sorted((Path(__file__).parent / "loops").glob("*.c"))
@@ -32,7 +33,7 @@ def test_the_time_of_a_pass_is_between_what_the_text_gives(program: Path) -> Non
     assert (time.low / 1000, time.high / 1000, time.unbounded) == (*said(program), ())
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: str(path.stem))
+@pytest.mark.parametrize("program", sample(PROGRAMS, 4), ids=lambda path: str(path.stem))
 def test_a_simulator_measures_passes_within_it(program: Path, tmp_path: Path) -> None:
     require_tools("avr-gcc", "arduino-core-avr")
     require_engine("simavr")

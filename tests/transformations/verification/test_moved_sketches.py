@@ -19,7 +19,7 @@ SKETCHES = Path(__file__).parent / "moved_sketches"
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("name", sample(sorted(path.name for path in SKETCHES.iterdir()), 3))
+@pytest.mark.parametrize("name", sample(sorted(path.name for path in SKETCHES.iterdir()), 1))
 def test_a_sketch_with_a_trap_does_the_same_on_a_pico(name: str, tmp_path: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr", "arm-none-eabi-gcc", "arm-none-eabi-g++")
     for engine in ("simavr", "rp2040js"):

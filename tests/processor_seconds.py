@@ -1,0 +1,77 @@
+"""Tells at the end of a run how many processor seconds it took, and which tests took most (plug-in for conftest.py).
+
+Seconds of the processor, not of the clock: other work on the machine adds none. They are those of the processes that run tests,
+with all programs that these started and waited for; EMF's judge tells its own.
+"""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+_DEAREST, _DEAR = 5, 1.0
+"""So many tests are named, if they took more seconds than this."""
+_KEY = "processor_seconds"
+
+
+def taken() -> float:
+    """The processor seconds of this process so far, and of the programs that it started and waited for."""
+    return sum(os.times()[:4])
+
+
+class ProcessorSeconds:
+    """The plug-in.
+
+    Attributes:
+        tier: the tier that runs.
+        seconds: of each test; the cases of a parametrised one together.
+        total: of the whole run.
+        tests: how many tests ran.
+    """
+
+    def __init__(self, tier: str) -> None:
+        self.tier = tier
+        self.seconds = Counter[str]()
+        self.total = 0.0
+        self.tests = 0
+
+    @pytest.hookimpl(wrapper=True, tryfirst=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
+        """Measure a test with its fixtures."""
+        begun = taken()
+        try:
+            return (yield)
+        finally:
+            self.seconds[item.nodeid.partition("[")[0]] += taken() - begun
+            self.tests += 1
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        """Hand over what a process of pytest-xdist has measured; the one that started it adds its own time."""
+        own = taken() if self.tests else sum(os.times()[:2])  # a process that started others waits for them, and runs no test
+        self.total += own
+        output = getattr(session.config, "workeroutput", None)
+        if output is not None:
+            output[_KEY] = {"seconds": dict(self.seconds), "total": self.total, "tests": self.tests}
+
+    @pytest.hookimpl(optionalhook=True)
+    def pytest_testnodedown(self, node: Any) -> None:
+        """Add what a process of pytest-xdist has measured; one that crashed has told nothing."""
+        told = getattr(node, "workeroutput", {}).get(_KEY)
+        if told is not None:
+            self.seconds.update(told["seconds"])
+            self.total += told["total"]
+            self.tests += told["tests"]
+
+    def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
+        """Print the sum, and the tests that took most."""
+        if not self.tests:
+            return
+        terminalreporter.write_line(f"{self.total:,.0f} processor seconds for {self.tests:,} tests of the tier {self.tier}")
+        for name, seconds in self.seconds.most_common(_DEAREST):
+            if seconds > _DEAR:
+                terminalreporter.write_line(f"  {seconds:6.1f} {name}")
