@@ -9,6 +9,7 @@ from collections.abc import Callable
 from functools import cached_property, partial
 from pathlib import Path
 from types import FunctionType
+from typing import ClassVar
 
 import pytest
 
@@ -16,6 +17,7 @@ import robosmi
 from robosmi.verify import simulation
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests import emf_judge, running, tools
+from tests.processor_seconds import ProcessorSeconds
 from tests.tiers import Reach, one_of_each, sample
 
 ROOT = Path(__file__).parents[1]
@@ -184,6 +186,24 @@ def test_a_sample_comes_from_all_over_and_the_others_are_exhaustive() -> None:
 
 
 def test_one_of_each_kind_is_a_sample_and_the_others_are_exhaustive() -> None:
-    first, second, third = one_of_each(["uno", "mega", "nano"], lambda name: name == "mega")
-    assert (first, second, third.values) == ("uno", "mega", ("nano",))
-    assert [mark.name for mark in third.marks] == ["exhaustive"]
+    chosen = one_of_each([("uno", 1), ("mega", 2), ("nano", 3)], lambda pair: pair[0] == "mega")
+    assert [each.values for each in chosen] == [("uno", 1), ("mega", 2), ("nano", 3)]
+    assert [[mark.name for mark in each.marks] for each in chosen] == [[], [], ["exhaustive"]]
+
+
+def test_a_run_tells_the_processor_seconds_of_its_tests_and_of_those_in_other_processes() -> None:
+    class Node:
+        workeroutput: ClassVar = {"processor_seconds": {"seconds": {"test_a": 3.0, "test_b": 0.5}, "total": 4.5, "tests": 7}}
+
+    class Reporter:
+        def __init__(self) -> None:
+            self.lines: list[str] = []
+
+        def write_line(self, line: str) -> None:
+            self.lines.append(line)
+
+    seconds, reporter = ProcessorSeconds("check"), Reporter()
+    for node in (Node(), Node(), object()):  # the last one has crashed
+        seconds.pytest_testnodedown(node)
+    seconds.pytest_terminal_summary(reporter)  # type: ignore[arg-type]
+    assert reporter.lines == ["9 processor seconds for 14 tests of the tier check", "     6.0 test_a"]

@@ -50,11 +50,14 @@ _OF_OS = frozenset(["execv", "execve", "fork", "forkpty", "kill", "killpg", "pop
 
 
 def one_of_each(values: Iterable[T], kind: Callable[[T], object]) -> list[Any]:
-    """Values for `parametrize`: the first of each kind as it is, the others for the tier `all` alone."""
+    """Values for `parametrize`: the first of each kind as it is, the others for the tier `all` alone.
+
+    A tuple holds the values of several arguments.
+    """
     kinds = set[object]()
     found: list[Any] = []
     for value in values:
-        found.append(pytest.param(value, marks=pytest.mark.exhaustive) if kind(value) in kinds else value)
+        found.append(_param(value, exhaustive=kind(value) in kinds))
         kinds.add(kind(value))
     return found
 
@@ -66,8 +69,11 @@ def sample(values: Iterable[T], most: int) -> list[Any]:
     """
     every = list(values)
     chosen = {number * len(every) // most for number in range(most)}
-    marks = [() if number in chosen else (pytest.mark.exhaustive,) for number in range(len(every))]
-    return [pytest.param(*(e if isinstance(e, tuple) else (e,)), marks=m) for e, m in zip(every, marks, strict=True)]
+    return [_param(value, exhaustive=number not in chosen) for number, value in enumerate(every)]
+
+
+def _param(value: object, *, exhaustive: bool) -> Any:
+    return pytest.param(*(value if type(value) is tuple else (value,)), marks=[pytest.mark.exhaustive] * exhaustive)
 
 
 def examples(most: int, **more: Any) -> settings:

@@ -105,9 +105,9 @@ class Judge:
         session.config.hook.pytest_runtest_logreport(report=report)
         if outcome == "failed":
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
-        self.summary = (
-            f"{len(sets)} sets of written models judged by EMF in {seconds:.1f} s ({emf_judge.stop():.0f} of the processor): {outcome}"
-        )
+        of_processor = emf_judge.stop()
+        self.summary = f"{len(sets)} sets of written models judged by EMF in {seconds:.1f} s"
+        self.summary += f" ({of_processor:.0f} s of the processor): {outcome}"
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
         """Say how many models there were."""

@@ -87,11 +87,10 @@ def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
 
 
 @pytest.mark.parametrize(
-    "place", one_of_each(product(HEADERS, VARIANTS), lambda place: place[1] if place[0] == HAL else place[0]), ids="-".join
+    ("header", "mcu"), one_of_each(product(HEADERS, VARIANTS), lambda place: place[1] if place[0] == HAL else place[0])
 )
-def test_all_of_a_header_compile_together(place: tuple[str, str], tmp_path: Path) -> None:
+def test_all_of_a_header_compile_together(header: str, mcu: str, tmp_path: Path) -> None:
     """Each header for one microcontroller, the hardware layer for each; the tier `all` has the others."""
-    header, mcu = place
     wanted = {key for key in KEYS if key[0] == header}
     known = AdapterPieces(pieces(), architecture="avr")
     needed = known.needed(sorted(wanted), mcu)

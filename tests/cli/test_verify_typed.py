@@ -67,7 +67,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
             ("guess", "SECRET 613", "SECRET 614"),
             ("guess", "guess < SECRET", "guess < SECRET + 2"),
         ],
-        2,
+        1,
     ),
 )
 def test_a_moved_border_of_a_typed_number_is_noticed(name: str, old: str, new: str, made: Path, tmp_path: Path) -> None:
