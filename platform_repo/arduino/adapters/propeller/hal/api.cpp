@@ -93,7 +93,10 @@ struct PinInput {  // the level of a wired pin
   bool known;
 
   bool wired() const { return known; }
-  bool high() const { return known && digitalRead(pin) == HIGH; }
+  bool high() const {
+    if (jobs_due) jobs_due();  // a loop that reads it may be a long wait
+    return known && digitalRead(pin) == HIGH;
+  }
 };
 
 inline PinInput input_of(const Io &io) { return {io.pin, io.wired()}; }
