@@ -88,7 +88,7 @@ class TargetSide:
         crash: VerificationError | None = None
         for number, name in enumerate(self._names):
             try:
-                return simulate(asked, name, LIMIT_S), number
+                return simulate(asked, name), number
             except EngineCrashError as error:
                 crash = crash or error
             except VerificationError as error:
