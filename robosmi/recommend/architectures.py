@@ -1,7 +1,7 @@
 """Whether a library works on a processor architecture: what it declares, what the core brings along, and what replaces it.
 
-A library that declares `*`, or nothing, probably works. Names of architectures are those of cores: `rp2040` and `mbed_rp2040` are
-two, although the processor is the same.
+A library that declares `*`, or nothing, probably works, unless its source uses registers of other processors. Names of
+architectures are those of cores: `rp2040` and `mbed_rp2040` are two, although the processor is the same.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class ArchitectureFacts(Struct, frozen=True, eq=False):
             return Support.probable
         if library.name in self.brings.get(architecture, ()) or architecture in library.architectures:
             return Support.listed
-        if library.name in self.instead.get(architecture, {}):
+        if library.name in self.instead.get(architecture, {}) or (library.registers and architecture != self.home):
             return Support.absent
         return Support.probable if not library.architectures or ANY in library.architectures else Support.absent
 
@@ -75,5 +75,7 @@ class ArchitectureFacts(Struct, frozen=True, eq=False):
             return ""
         listed = f" (it lists {', '.join(library.architectures)})" if library.architectures else ""
         text = f"does not list the architecture {architecture}{listed}"
+        if library.registers:
+            text = f"does not work on {architecture}: its source uses registers of {self.home} ({', '.join(library.registers)})"
         found = self.replacement(library.name, architecture)
         return f"{text}; use {found.library} there: {found.why}" if found is not None else text

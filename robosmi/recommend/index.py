@@ -5,7 +5,8 @@ their numbers) and how often, each as 8-bit numbers or, where one needs it (`wid
 `ident` holds the same for the words of identifiers; `fact` holds, for each word, the libraries that have it in one of
 `FIELDS`, and how often there; `run` holds numbers of each header or library in one piece, because ranking looks at all
 of them; `api`, which an index need not have, holds what each library offers to a program (`library_api`), read only when
-asked for. Libraries are numbered by name, headers by library. No ranking here; the writing is in `index_writer`.
+asked for; `registers`, which an index need not have either, holds the registers that libraries use on every processor.
+Libraries are numbered by name, headers by library. No ranking here; the writing is in `index_writer`.
 """
 
 from __future__ import annotations
@@ -66,6 +67,8 @@ class Library(Struct, frozen=True):
         in_registry: it is in the registry of the target's maker.
         installed: it was found on this machine.
         origin: where it was read: `owner/repository@commit:folder`.
+        registers: some registers of one architecture's processors that its source uses without asking for these processors;
+            empty where its source was not read.
     """
 
     id: int
@@ -82,6 +85,7 @@ class Library(Struct, frozen=True):
     copies: int = 1
     in_registry: bool = False
     installed: bool = False
+    registers: tuple[str, ...] = ()
 
     @property
     def header(self) -> str:
@@ -138,6 +142,8 @@ class LibraryIndex:
         self.library_of, self.named, self.is_main = runs["library_of"], runs["named"], runs["main"]
         self.copies, self.used_by, self.interfaces = runs["copies"], runs["used_by"], runs["interfaces"]
         self.lengths = tuple(runs[f"length_{field}"] for field in FIELDS)
+        found = self._all("SELECT library, names FROM registers") if self._has("registers") else []
+        self._registers = {number: _split(names) for number, names in found}
         # a drawing has the same few words and candidates again and again
         self.postings = lru_cache(maxsize=256)(self._postings)
         self.identifiers = lru_cache(maxsize=256)(self._identifiers)
@@ -247,7 +253,7 @@ class LibraryIndex:
         """
         from robosmi.recommend.library_api import unpacked
 
-        if self._one("SELECT 1 FROM sqlite_master WHERE name = 'api'") is None:
+        if not self._has("api"):
             return ()
         row = self._one("SELECT headers FROM api WHERE library = ?", number)
         try:
@@ -267,7 +273,10 @@ class LibraryIndex:
             f"in_registry, installed FROM library WHERE {condition} ORDER BY id",
             *values,
         )
-        return [_library_of_row(row) for row in rows]
+        return [_library_of_row(row, self._registers.get(row[0], ())) for row in rows]
+
+    def _has(self, table: str) -> bool:
+        return self._one("SELECT 1 FROM sqlite_master WHERE name = ?", table) is not None
 
     def _run(self, name: str) -> Sequence[int]:
         row = self._one("SELECT numbers FROM run WHERE name = ?", name)
@@ -291,7 +300,7 @@ class LibraryIndex:
         return PlatformDataError(f"the index of libraries cannot be used: {cause}", location=Location(str(self.path)), fix=_FIX)
 
 
-def _library_of_row(row: tuple[Any, ...]) -> Library:
+def _library_of_row(row: tuple[Any, ...], registers: tuple[str, ...]) -> Library:
     number, name, version, author, category, architectures, depends, url, licence, origin, main, copies, known, here = row
     lists = [_split(text) for text in (architectures, depends, main)]
     return Library(
@@ -309,6 +318,7 @@ def _library_of_row(row: tuple[Any, ...]) -> Library:
         copies,
         bool(known),
         bool(here),
+        registers,
     )
 
 

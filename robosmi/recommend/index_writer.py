@@ -31,6 +31,7 @@ CREATE TABLE ident(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT N
 CREATE TABLE fact(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NULL, {", ".join(FIELDS)}) WITHOUT ROWID;
 CREATE TABLE run(name TEXT PRIMARY KEY, numbers BLOB NOT NULL) WITHOUT ROWID;
 CREATE TABLE api(library INTEGER PRIMARY KEY, headers BLOB NOT NULL);
+CREATE TABLE registers(library INTEGER PRIMARY KEY, names TEXT NOT NULL);
 """
 
 
@@ -65,6 +66,8 @@ def _fill(db: sqlite3.Connection, rows: Sequence[LibraryRecord], headers: Sequen
         for number, row in enumerate(rows)
     )  # fmt: skip
     db.executemany(f"INSERT INTO library VALUES ({', '.join('?' * 14)})", joined)
+    bound = ((number, _join(row.registers)) for number, row in enumerate(rows) if row.registers)
+    db.executemany("INSERT INTO registers VALUES (?, ?)", bound)
     numbered = list(enumerate(headers))
     db.executemany("INSERT INTO header VALUES (?, ?, ?, ?)", ((n, lib, h.file, h.main) for n, (lib, h) in numbered))
     _fill_counts(db, "term", ((n, header.counts) for n, (_, header) in numbered))

@@ -51,7 +51,7 @@ class LibraryRecord(Struct, frozen=True):
         headers: all its public headers.
         said: word -> count in what it declares about itself.
         keywords: word -> count in the keywords it declares; names of classes among them are in `classes`.
-        copies, in_registry, installed, origin: see `index.Library`.
+        copies, in_registry, installed, origin, registers: see `index.Library`.
         api: what it offers to a program; empty where that is not known.
     """
 
@@ -73,6 +73,7 @@ class LibraryRecord(Struct, frozen=True):
     installed: bool = False
     origin: str = ""
     api: Sequence[HeaderApi] = ()
+    registers: tuple[str, ...] = ()
 
     def fields(self) -> tuple[dict[str, int], ...]:
         """Word -> count for each of `index.FIELDS`."""

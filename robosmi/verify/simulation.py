@@ -276,14 +276,15 @@ def engine_names() -> list[str]:
     return list(registry().entries.get("engine", {}))
 
 
-def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinTrace:
+def simulate(job: Job, engine: str | None = None, limit_s: float | None = None) -> PinTrace:
     """Run a program on a simulator, in a process of its own.
 
     Args:
         job: what to run.
         engine: name of the engine; the first that is installed and knows the microcontroller if None.
-        limit_s: seconds of processor time after which the run is given up, so that other work on this machine decides nothing.
-            By the clock a run may take `HANGS` times as long: a process that waits for ever uses no processor time.
+        limit_s: seconds of processor time after which the run is given up, so that other work on this machine decides nothing;
+            `usual_limit_s` if None. By the clock a run may take `HANGS` times as long: a process that waits for ever uses no
+            processor time.
 
     Raises:
         UsageError: no engine has that name, none knows the microcontroller, or a device is used wrongly.
@@ -292,6 +293,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
         VerificationError: the program cannot be loaded.
         EngineCrashError: the engine crashed.
     """
+    limit_s = usual_limit_s(job.horizon_us) if limit_s is None else limit_s
     chosen = engine_for(job.mcu, engine)
     asked = asdict(job) | {"devices": [asdict(one) for one in job.devices]}
     question = json_written({"engine": chosen.name, "job": asked, "limit_s": limit_s})
@@ -315,9 +317,17 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     return _trace(as_table(json_of(answer)), chosen.name)
 
 
+def usual_limit_s(horizon_us: float) -> float:
+    """The processor time that a run may take.
+
+    The slowest engine needs 3 s for each second of a program that asks its pins all the time.
+    """
+    return max(60.0, 5 * horizon_us / 1e6)
+
+
 def too_long(limit_s: float, what: str = " of processor time") -> TimeLimitError:
     """The error that ends a run at its time limit."""
-    return TimeLimitError(f"the simulation exceeded {limit_s:g} s{what}", fix="simulate less time, or raise the limit")
+    return TimeLimitError(f"the simulation exceeded {limit_s:g} s{what}", fix="simulate less time")
 
 
 def _environment() -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import io
 import re
 import shutil
@@ -85,7 +86,9 @@ def test_choices_follow_their_parts_to_the_pins_of_the_new_drawing(uno: Path, tm
 @pytest.mark.parametrize("study", ["line_follower", "environmental_monitoring"])
 def test_without_a_drawing_pins_are_proposed_and_wait_for_approval(study: str, uno: Path, examples: Path, tmp_path: Path) -> None:
     out, new = uno if study == "line_follower" else case(study, examples, tmp_path), tmp_path / "pico"
-    document = move(out, new)
+    harmed = {"line_follower": {"GP10", "GP11"}, "environmental_monitoring": set()}[study]
+    document = move(out, new, code=int(bool(harmed)))
+    assert borne_too_little(document) == harmed
     moved = document["result"]["moved"]
     assert moved["pins_proposed"]
     assert moved["open"] == moved["lost"] == 0
@@ -96,10 +99,37 @@ def test_without_a_drawing_pins_are_proposed_and_wait_for_approval(study: str, u
     assert len(set(after.values())) == len(set(before.values()))
     assert all(pin in table.read_text() for pin in after.values())
     # a person gives the table back as the drawing: that is the approval
-    approved = move(out, new, "--hardware", table)
+    approved = move(out, new, "--hardware", table, code=int(bool(harmed)))
+    assert borne_too_little(approved) == harmed
     assert not approved["result"]["moved"]["pins_proposed"]
     assert "RS348" not in {finding["rule"] for finding in approved["findings"]}
     assert pins(new) == after
+
+
+def borne_too_little(document: Any) -> set[str]:
+    """The pins that get a higher voltage than they bear (RS258), with the advice about resistors."""
+    found = [finding for finding in document["findings"] if finding["rule"] == "RS258"]
+    assert all("kilo-ohms" in finding["fix"] and finding["severity"] == "error" for finding in found)
+    return {pin for finding in found for pin in re.findall(r"to (\w+), which bears", finding["message"])}
+
+
+def test_a_proposal_feeds_a_sensor_so_that_its_output_harms_no_pin_or_says_that_it_does(tmp_path: Path) -> None:
+    """A DHT22 works with 3.3 V; the two rangers need 5 V, and one of them has a resistor at its echo."""
+    (tmp_path / "ping.c").write_text(
+        '#include "simpletools.h"\nint main() { high(3); print("%d", input(4) + input(5) + input(6)); }\n'
+    )
+    rows = (
+        "D3,HC-SR04,eye,Trig,,5", "D4,HC-SR04,eye,Echo,,5", "D5,HC-SR04,ear,Echo,R1,5",
+        "D6,DHT22,air,Data,,5", "D7,Basic Servo,arm,pulse,,5", "D8,Pushbutton,bell,1,,5",
+    )  # fmt: skip
+    (tmp_path / "uno.csv").write_text("\n".join(("pin,part,title,connector,through,volts", *rows)))
+    uno = tmp_path / "uno"
+    assert run("migrate", tmp_path / "ping.c", "--hardware", tmp_path / "uno.csv", "--target", "uno", "-o", uno).code == 0
+    document = move(uno, tmp_path / "pico", code=1)
+    assert borne_too_little(document) == {"GP4", "GP8"}
+    table = (tmp_path / "pico" / "models" / "source" / "ping_pico.csv").read_text()
+    fed = {row["title"]: row["volts"] for row in csv.DictReader(io.StringIO(table))}
+    assert fed == {"eye": "5", "ear": "5", "air": "3.3", "arm": "5", "bell": "5"}
 
 
 def test_a_person_approves_the_pins_at_a_terminal_or_nothing_is_written(uno: Path, tmp_path: Path) -> None:
@@ -202,7 +232,7 @@ def test_what_is_decided_on_the_new_board_is_kept_there_and_for_it_alone(example
 def test_a_plan_of_another_version_of_the_tool_is_moved(own: Path, tmp_path: Path) -> None:
     plan = own / "models" / "plan.xmi"
     plan.write_text(re.sub('toolVersion="[^"]*"', 'toolVersion="0.0.1"', plan.read_text()))
-    assert move(own, tmp_path / "pico")["result"]["moved"]["from"] == "uno"
+    assert move(own, tmp_path / "pico", code=1)["result"]["moved"]["from"] == "uno"
 
 
 @pytest.mark.parametrize("where", ["same", "inside", "around"])

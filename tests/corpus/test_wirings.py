@@ -91,7 +91,7 @@ def handed_back(path: Path, made: HardwareAnalysis, folder: Path) -> Handed:
     wanted = planned(plan.connections)
     table, diagram = folder / "wiring.csv", folder / "diagram.json"
     if wanted:
-        table.write_text(pin_table(list(plan.connections), board, table, {}), encoding="utf-8")
+        table.write_text(pin_table(list(plan.connections), board, table, {}, {}), encoding="utf-8")
     try:
         drawn = wokwi_wiring(plan)
     except RobosmiError:  # Wokwi does not draw the board

@@ -17,6 +17,7 @@ from robosmi.transformations.knowledge.libraries.library_ranking import (
     library_api,
     library_by_name,
     library_index,
+    unsuitable,
 )
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from tests.running import run
@@ -89,6 +90,14 @@ def test_an_imported_library_is_found_marked_and_brings_its_dependencies(folder:
     assert "installed here" in answer.candidates[0].reasons
     assert library_by_name("Described Sensor").depends == ("Servo", "plain")
     assert [library.name for library in libraries_by_header("Described.h")] == ["Described Sensor"]
+
+
+def test_registers_in_a_library_for_all_processors_bind_it_to_those_that_have_them() -> None:
+    import_libraries(LIBRARIES.with_name("registers"), "arduino")
+    assert library_by_name("Bare Registers").library.registers == ("TCCR1A", "DDRB", "TIMER1_COMPA_vect")
+    assert library_by_name("Asks First").library.registers == ()
+    assert "TCCR1A" in unsuitable("Bare Registers", "arduino", "rp2040")
+    assert unsuitable("Bare Registers", "arduino", "avr") == unsuitable("Asks First", "arduino", "rp2040") == ""
 
 
 def test_a_second_import_adds_and_replaces(folder: Path, tmp_path: Path) -> None:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
 
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification import api_build
+from robosmi.transformations.verification.jobs import api_microcontrollers
+from robosmi.verify.toolchains.boards import find_board, load_boards
+from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from tests.running import run
 from tests.tools import require_engine, require_tools
 
@@ -110,3 +115,23 @@ def test_a_board_of_the_stm32_core_is_one_file_too(tmp_path: Path, monkeypatch: 
     assert board.microcontroller is not None
     assert board.microcontroller.architecture == "stm32"
     assert {str(timer) for use in board.microcontroller.uses for timer in use.timers} == {"TIM3", "TIM4"}
+
+
+def test_a_microcontroller_of_its_own_is_judged_with_the_names_of_its_pins(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A table for it leaves those of all others as they are; sketches write PC13, and the model of the API has that name."""
+    data = tmp_path / ".robosmi" / "platform_repo"
+    for name, place in (
+        ("bluepill", "arduino/boards/bluepill"),
+        ("stm32f103c8", "mcus/stm32f103c8"),
+        ("judged", "simulation/api"),
+    ):
+        (data / place).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(FILE.with_name(f"{name}.toml"), data / f"{place}.toml")
+    monkeypatch.chdir(tmp_path)
+    assert run("trust", ".").code == 0
+    assert {"stm32f103c8", "ra4m1"} <= api_microcontrollers()
+    (toolchain,) = (each for each in load_toolchains() if each.platform == "arduino")
+    defines = api_build._properties(find_board("bluepill", load_boards("arduino")), toolchain)["api.defines"]
+    assert {"API_NAME(PC13,17)", "API_NAME(A1,21)"} <= {*re.findall(r"API_NAME\(\w+,\d+\)", defines)}

@@ -67,11 +67,13 @@ class HardwareAnalysis(Struct, frozen=True):
         """
         from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
         from robosmi.transformations.m2t.pin_table import pin_table  # wanted with --write-table only
+        from robosmi.transformations.queries.circuits.electrical import fed_parts
 
         board = the_board(self.circuit)
         model = self.board_models.get(board.elementId)
         name = model.name if model is not None else ""
-        return pin_table(of_board(self.connections, board), name, target, rests_beyond_names(self.circuit.components))
+        rests, volts = rests_beyond_names(self.circuit.components), fed_parts(self.circuit)
+        return pin_table(of_board(self.connections, board), name, target, rests, volts)
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:

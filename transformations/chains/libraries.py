@@ -32,6 +32,7 @@ from robosmi.transformations.knowledge.libraries.library_ranking import (
     library_api,
     library_by_name,
 )
+from robosmi.transformations.knowledge.platforms.portability_facts import portability_facts
 from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from robosmi.transformations.t2m.library_index import build
@@ -106,15 +107,16 @@ def import_libraries(folder: Path, platform: str) -> Imported:
         SourceError: there is no such folder, or the user's own facts are damaged.
         PlatformDataError: more headers than an index holds.
     """
-    found = read_libraries(folder)
+    facts = portability_facts(platform)
+    found = read_libraries(folder, [name for kind in facts.registers.values() for name in kind] if facts is not None else [])
     index = installed_index(platform)
-    facts = index.with_suffix(".jsonl.gz")
-    rows = {row["name"]: row for row in _rows(facts)} | {row["name"]: row for row in found.rows}
+    kept = index.with_suffix(".jsonl.gz")
+    rows = {row["name"]: row for row in _rows(kept)} | {row["name"]: row for row in found.rows}
     if found.rows:
         index.parent.mkdir(parents=True, exist_ok=True)
         lines = "".join(json.dumps(row, sort_keys=True) + "\n" for _, row in sorted(rows.items()))
-        write_atomic(facts, gzip.compress(lines.encode(), mtime=0))
-        build(facts, index)
+        write_atomic(kept, gzip.compress(lines.encode(), mtime=0))
+        build(kept, index)
     added = sorted((str(row["name"]), str(row["version"])) for row in found.rows)
     return Imported(index, added, found.skipped, len(rows))
 

@@ -29,6 +29,7 @@ from robosmi.transformations.m2t.circuits.circuit_picture import svg
 from robosmi.transformations.m2t.circuits.wokwi_project import project_files
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
+from robosmi.transformations.queries.circuits.electrical import fed_parts
 from robosmi.transformations.queries.plans.plan import as_findings, ports_by_pin
 
 FORM: Final = "wiring form"
@@ -151,8 +152,9 @@ def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
     """Export the pin table, which can be read as a drawing again."""
     plan = models.plan
     connections, board = _connections(plan), plan.board.name if plan.board is not None else ""
-    rests = rests_beyond_names(plan.circuit.components if plan.circuit is not None else ())
-    text = pin_table(connections, board, path.with_suffix(".csv"), rests)
+    circuit = plan.circuit
+    rests, volts = (rests_beyond_names(circuit.components), fed_parts(circuit)) if circuit is not None else ({}, {})
+    text = pin_table(connections, board, path.with_suffix(".csv"), rests, volts)
     return Handed({"": text.encode()}, {"": "pin table"})
 
 

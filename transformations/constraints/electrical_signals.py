@@ -9,7 +9,7 @@ from collections.abc import Callable
 from functools import partial
 
 from robosmi.metamodels import hardware
-from robosmi.transformations.constraints.electrical_supply import wiring_of
+from robosmi.transformations.constraints.electrical_supply import of_table, wiring_of
 from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import BoardPin, Kind, Role, Wiring, listed, who
@@ -55,7 +55,9 @@ def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
     """A pin that a switch connects to a supply has a defined level while the switch is open."""
     w = wiring_of(c)
     rails = {net for _, net in w.nets(c) if net.rail}
-    if w.facts(c).output != "contact" or len(rails) != 1:  # of two rails a change-over switch always joins its pin to one
+    if of_table(c) or w.facts(c).output != "contact":
+        return True
+    if len(rails) != 1:  # of two rails a change-over switch always joins its pin to one
         return True
     open_pins = [p.label for p in w.board_pins(c) if not w.once("held", p.net, partial(_is_held, w, p.net))]
     message = f"no resistor holds {listed(open_pins)} while '{who(c)}' is open" if open_pins else ""
@@ -189,7 +191,7 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
 def IsBorneByThePin(c: hardware.Component) -> bool | Fail:
     """No device puts a higher voltage on a pin than the pin bears."""
     w = wiring_of(c)
-    fed = max((volts for _, net in w.nets(c) if (volts := w.volts(net)) is not None), default=0.0)
+    fed = w.fed_with(c)
     for p in w.board_pins(c, through=False):
         model = w.board_model(p.board)
         chip = model.microcontroller if model is not None else None

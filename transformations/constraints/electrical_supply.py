@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.finding_locations import drawing, fault
+from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE
 from robosmi.transformations.queries.circuits.circuit_walk import beyond_driver
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
@@ -26,6 +27,11 @@ def wiring_of(element: hardware.Component | hardware.Net) -> Wiring:
     """The wiring of the circuit that contains an element."""
     assert element.circuit is not None
     return wiring(element.circuit)
+
+
+def of_table(component: hardware.Component) -> bool:
+    """Whether a pin table lists a component: that says what feeds it, and not by which wires and parts."""
+    return component.circuit is not None and component.circuit.tool == PIN_TABLE
 
 
 def takes_part(component: hardware.Component) -> bool:
@@ -98,7 +104,7 @@ def HasSupply(c: hardware.Component) -> bool | Fail:
 def _is_supplied(component: hardware.Component, kind: hardware.ConnectorKind) -> bool:
     w = wiring_of(component)
     return all(c.kind is not kind for c in component.connectors) or any(
-        c.kind is kind and w.is_wired(component, net) for c, net in w.nets(component)
+        c.kind is kind and (w.is_wired(component, net) or of_table(component)) for c, net in w.nets(component)
     )
 
 

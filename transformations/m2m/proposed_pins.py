@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from robosmi.errors import SourceError
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
+from robosmi.transformations.queries.circuits.electrical import Role, fed_parts, wiring
 from robosmi.transformations.queries.plans.port_pins import bound_pin
 
 _ANALOG, _DIGITAL = "analog_in", "digital"
@@ -50,6 +51,22 @@ def proposed_pins(plan: migration.MigrationPlan, board: platform.Board) -> dict[
         free.remove(best)
         made[label] = str(best.label)
     return {label: made[label] for label in used}
+
+
+def proposed_volts(plan: migration.MigrationPlan, board: platform.Board) -> dict[str, float]:
+    """Identity of a part of a plan's drawing -> the voltage that is to feed it on another board.
+
+    It stays as it is drawn. A sensor that has more than the pins of the other board have, and that works with theirs by its data
+    sheet, gets theirs, so that its output does not harm them.
+    """
+    if plan.circuit is None:
+        return {}
+    w, made = wiring(plan.circuit), fed_parts(plan.circuit)
+    for component in plan.circuit.components:
+        rated, identity = w.facts(component).volts, str(component.elementId)
+        if component.role is Role.Input and rated is not None and made.get(identity, 0.0) > board.volts >= rated[0]:
+            made[identity] = board.volts
+    return made
 
 
 def _rank(pin: platform.Pin, plan: migration.MigrationPlan) -> int:

@@ -18,10 +18,18 @@ from robosmi.transformations.queries.circuits.circuit import pin_label
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 _ENDINGS = (".csv", ".toml")
-_COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
+_COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "volts", "rest", "board")
+_ASKED_FOR = ("volts", "rest")
+"""Columns that a table has only if a row has something there."""
 
 
-def pin_table(connections: Sequence[migration.Connection], board: str, target: Path, rests: Mapping[str, str]) -> str:
+def pin_table(
+    connections: Sequence[migration.Connection],
+    board: str,
+    target: Path,
+    rests: Mapping[str, str],
+    volts: Mapping[str, float],
+) -> str:
     """The text of the table.
 
     Args:
@@ -29,6 +37,7 @@ def pin_table(connections: Sequence[migration.Connection], board: str, target: P
         board: short name of the board, or empty where the platform repository does not know it.
         target: the file it is for, whose ending says which form it has.
         rests: identity of a component -> the level at which it does nothing, where its name alone tells another.
+        volts: identity of a component -> the voltage that feeds it, where it is known.
 
     Raises:
         UsageError: the ending is neither `.csv` nor `.toml`.
@@ -39,7 +48,7 @@ def pin_table(connections: Sequence[migration.Connection], board: str, target: P
             f"a pin table cannot be a '{target.suffix or target.name}' file{did_you_mean(ending, _ENDINGS)}",
             fix=f"use one of the endings: {', '.join(_ENDINGS)}",
         )
-    rows = [_row(connection, rests) for connection in sorted(connections, key=_place)]
+    rows = [_row(connection, rests, volts) for connection in sorted(connections, key=_place)]
     return _csv(rows, board) if ending == ".csv" else _toml(rows, board)
 
 
@@ -52,8 +61,9 @@ def _place(connection: migration.Connection) -> tuple[int, int]:
     return list(component.circuit.components).index(component), min(numbers, default=0)
 
 
-def _row(connection: migration.Connection, rests: Mapping[str, str]) -> dict[str, str]:
+def _row(connection: migration.Connection, rests: Mapping[str, str], volts: Mapping[str, float]) -> dict[str, str]:
     component = connection.component
+    fed = volts.get(str(component.elementId)) if component else None
     return {
         "pin": pin_label(connection),
         "part": (component.partTitle or component.title or component.partId) if component else "",
@@ -62,13 +72,14 @@ def _row(connection: migration.Connection, rests: Mapping[str, str]) -> dict[str
         "connector": " ".join(displayed_name(connection.connectors[0]).split()) if connection.connectors else "",
         "driver": "true" if component and component.driver else "",
         "through": "; ".join((part.title or part.partTitle).replace(";", ",") for part in connection.via),
+        "volts": f"{fed:g}" if fed is not None else "",
         "rest": rests.get(component.elementId, "") if component else "",
     }
 
 
 def _csv(rows: Sequence[dict[str, str]], board: str) -> str:
     stream = io.StringIO()
-    columns = [column for column in _COLUMNS if column != "rest" or any(row["rest"] for row in rows)]
+    columns = [column for column in _COLUMNS if column not in _ASKED_FOR or any(row[column] for row in rows)]
     writer = csv.DictWriter(stream, columns, lineterminator="\n")
     writer.writeheader()
     if board and not rows:

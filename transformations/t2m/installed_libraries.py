@@ -3,7 +3,8 @@
 A folder of libraries (one folder each), a single library, or a PlatformIO project (`.pio/libdeps/*/`, `lib/`) is accepted.
 Declared metadata come from library.properties or library.json, else the folder's name is the library's. Files that cannot be
 read, folders without headers, duplicates and cyclic links are left out, each with its reason. Only facts are kept, see
-`library_index`; declarations in headers are found by `library_declarations`.
+`library_index`; declarations in headers are found by `library_declarations`. A library that is for all processors by what it
+declares, and whose source writes registers of one without asking for it, has the names of these registers.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from msgspec import Struct
@@ -25,10 +26,16 @@ from robosmi.transformations.t2m.library_declarations import declarations
 from robosmi.transformations.t2m.library_rows import HeaderRow, LibraryRow
 
 HEADERS = (".h", ".hpp", ".hh")
+_SOURCES = (*HEADERS, ".c", ".cpp", ".ino")
 _MOST_HEADERS, _MOST_WORDS, _LARGEST, _LONGEST_NAME = 40, 700, 4_000_000, 200
 _NOT_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'", re.DOTALL)
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.MULTILINE)
+_DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif|define)\b(.*)")
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_EVERYWHERE = frozenset({"defined", "ARDUINO", "__cplusplus"})
+"""Names in conditions that hold on all processors."""
+_SHORTEST, _MOST_SOURCES, _NAMED = 4, 200, 4
 _CLASS = re.compile(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*(?::[^;{]*)?\{")
 _KEYWORDS = frozenset(  # of C++, and of its preprocessor
     re.findall(
@@ -53,8 +60,12 @@ class Found(Struct):
     skipped: dict[str, str] = {}
 
 
-def read_libraries(folder: Path) -> Found:
+def read_libraries(folder: Path, registers: Collection[str] = ()) -> Found:
     """The libraries in a folder, each once.
+
+    Args:
+        folder: the folder.
+        registers: names of registers that the processors of one architecture have.
 
     Raises:
         SourceError: there is no such folder.
@@ -71,6 +82,7 @@ def read_libraries(folder: Path) -> Found:
         row = _library(path, found)
         if row is None:
             continue
+        row["registers"] = _registers(path, registers)
         if row["name"] in names:
             found.skipped[str(path)] = f"the library '{row['name']}' is already read from {names[row['name']]}"
             continue
@@ -219,6 +231,43 @@ def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Json]]:
                         known[real] = leads
                         waiting.append(place)
     return rows
+
+
+def _registers(folder: Path, names: Collection[str]) -> list[str]:
+    """Some of the registers that a library's source uses on every processor; a name that it defines itself is none."""
+    usable = [name for name in names if len(name) >= _SHORTEST]
+    if not usable:
+        return []
+    root = folder / "src" if (folder / "src").is_dir() else folder
+    files = sorted(path for path in root.glob("**/*" if root != folder else "*") if path.suffix.lower() in _SOURCES)
+    inside = [path for path in files if path.is_file() and "avr" not in path.relative_to(root).as_posix().lower().split("/")]
+    texts = [_NOT_CODE.sub(" ", text) for path in inside[:_MOST_SOURCES] if (text := _text(path, Found())) is not None]
+    used = re.compile(rf"(?<![\w.>:])(?<!\w )({'|'.join(usable)})\b\s*(?:[|&^]?=(?!=)|[|&;])|\bISR\s*\(\s*(\w+_vect)")
+    own = {name for text in texts for name in re.findall(r"#[ \t]*define[ \t]+(\w+)", text)}
+    seen = [match[1] or match[2] for text in texts for match in used.finditer(_unconditional(text))]
+    return [name for name in dict.fromkeys(seen) if name not in own][:_NAMED]
+
+
+def _unconditional(text: str) -> str:
+    """The lines of a source that are compiled on every processor: outside of conditions, but for guards of headers."""
+    kept: list[str] = []
+    asked: list[bool] = []
+    lines = text.splitlines()
+    for number, line in enumerate(lines):
+        directive = _DIRECTIVE.match(line)
+        if directive is None:
+            kept += [line] if not any(asked) else []
+            continue
+        kind, condition = directive[1], directive[2]
+        if kind in ("if", "ifdef", "ifndef"):
+            guarded = next((rest for rest in lines[number + 1 :] if rest.strip()), "")
+            guard = kind == "ifndef" and (defined := _DIRECTIVE.match(guarded)) and defined[1] == "define"
+            asked.append(not guard and not {*_NAME.findall(condition)} <= _EVERYWHERE)
+        elif kind == "elif" and asked:
+            asked[-1] = asked[-1] or not {*_NAME.findall(condition)} <= _EVERYWHERE
+        elif kind == "endif" and asked:
+            asked.pop()
+    return "\n".join(kept)
 
 
 def _keywords(folder: Path) -> tuple[Counter[str], set[str]]:

@@ -125,6 +125,7 @@ def _library(row: LibraryRow, api: Sequence[HeaderApi]) -> LibraryRecord:
         in_registry=bool(row.get("in_registry")),
         installed=bool(row.get("installed")),
         api=[header for header in api if header],
+        registers=tuple(row.get("registers") or []),
     )
 
 

@@ -44,3 +44,4 @@ class LibraryRow(TypedDict, total=False):
     keyword_terms: dict[str, int]
     keyword_classes: list[str]
     api: list[dict[str, Json]]
+    registers: list[str]

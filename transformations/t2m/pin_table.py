@@ -36,7 +36,7 @@ from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
 
-COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
+COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "volts", "rest", "board")
 """The columns; the first two must be there."""
 
 MOST_THROUGH = 100
@@ -50,6 +50,9 @@ _NO_PIN = "pin = []"
 """The first line of a TOML table that has no rows."""
 _SILENT = ("Board", "Power", "Passive", "Decoration")
 """Roles of parts that no program uses; a part on a pin never gets one of them by its name alone."""
+_SUPPLY = "VIN"
+"""Name of the connector that a table feeds: whether the part has a regulator behind it, a table does not say."""
+_VOLTS = re.compile(r"[0-9]{1,2}(?:\.[0-9]{1,2})?")
 _TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
 
 
@@ -143,6 +146,7 @@ class _Table:
         self.given: dict[str, str] = {}
         self.findings: list[Finding] = []
         self.found: list[_Group] = []
+        self.supplies: dict[str, list[hardware.Connector]] = {}
 
     def add(self, row: _Row) -> None:
         for column in ("pin", "part"):
@@ -152,6 +156,8 @@ class _Table:
             raise self._error(row, f"'{row['role']}' is no role{did_you_mean(row['role'], ROLES)}", f"use: {', '.join(ROLES)}")
         if row["rest"] not in ("", "low", "high"):
             raise self._error(row, f"rest is '{row['rest']}'", "write low or high")
+        if row["volts"] and not _VOLTS.fullmatch(row["volts"]):
+            raise self._error(row, f"volts is '{row['volts']}'", "write the voltage of the part's supply, such as 5 or 3.3")
         if row["driver"].lower() not in (*_TRUE, *_FALSE):
             raise self._error(row, f"driver is '{row['driver']}'", "write true or false")
         title = row["title"] or row["part"]
@@ -174,6 +180,10 @@ class _Table:
             parts.append(self._component(identity, title, rows, groups, passives))
         parts += passives
         nets = [hardware.Net(name=group.name, connectors=group.connectors) for group in self.found if group.connectors]
+        nets += [
+            hardware.Net(name=f"{volts}V", rail=True, railEvidence="given in the table", voltage=f"{volts}V", connectors=fed)
+            for volts, fed in self.supplies.items()
+        ]
         return hardware.Circuit(name=name, path=self.path, tool=PIN_TABLE, view="", components=parts, nets=nets)
 
     def _board(self, groups: dict[str, _Group]) -> hardware.Component:
@@ -212,6 +222,9 @@ class _Table:
             connector = hardware.Connector(connectorId=str(number), name=name, kind=kind)
             connectors.append(connector)
             self._through(row, groups, passives).connectors.append(connector)
+        if volts := next((row["volts"] for row in rows if row["volts"]), ""):
+            connectors.append(hardware.Connector(connectorId="supply", name=_SUPPLY, kind=hardware.ConnectorKind.supply))
+            self.supplies.setdefault(volts, []).append(connectors[-1])
         return hardware.Component(
             elementId=identity,
             title=title,

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from robosmi import resources
 from robosmi.base.data_tables import DataTable
 from robosmi.errors import MissingToolError, SourceError, UsageError
-from robosmi.transformations.knowledge.board_models import load_board, mapping_file
+from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapping_file
 from robosmi.transformations.knowledge.cores.api_model import api_board
 from robosmi.transformations.verification.jobs import api_facts, pins_and_inputs
 from robosmi.verify.simulation import engine_for
@@ -114,6 +114,9 @@ def _properties(board: Board, toolchain: Toolchain) -> dict[str, str]:
     called = {str(name): own[str(pin.label)] for pin in pins for name in (pin.label, *pin.aliases)}
     names = {name: number for name, number in called.items() if _INPUT.fullmatch(name) or name in _BUS_LINES}
     lines = {name: number for name, number in names.items() if name in _BUS_LINES}
+    for written in load_mapping(toolchain.platform, model).pinNames:  # by which sketches of ours call pins
+        if written.pin is not None and str(written.literal).isidentifier() and str(written.pin.label) in own:
+            names[str(written.literal)] = own[str(written.pin.label)]
     channels = [inputs.index(pin) if pin in inputs else _NO_NUMBER for pin in pins]
     defines = {
         "API_NAMES": "".join(f"API_NAME({name},{number})" for name, number in names.items()),

@@ -24,10 +24,14 @@ _PORT = r"P([A-Z]\d)"
 """A port, and what engines call it; data may say otherwise (`ports`)."""
 
 
-@cache
 def _facts() -> Mapping[str, tuple[Path, Mapping[str, Any]]]:
-    """Microcontroller -> the file that describes it, and what it says."""
-    paths = [resources.find("platform_repo", name) for name in _DATA]
+    """Microcontroller -> the file that describes it, and what it says; of several files a user's counts."""
+    places = [*resources.folders("platform_repo")][::-1]
+    return _read(tuple(path for place in places for name in _DATA if (path := place / name).is_file()))
+
+
+@cache
+def _read(paths: tuple[Path, ...]) -> Mapping[str, tuple[Path, Mapping[str, Any]]]:
     tables = [DataTable(path, read_data(path)) for path in paths]
     return {mcu: (table.path, table.table(mcu).values) for table in tables for mcu in table.values}
 
@@ -48,6 +52,11 @@ def api_facts(mcu: str) -> DataTable | None:
         return None
     path, values = _facts()[mcu]
     return DataTable(path, values).table("api") if "api" in values else None
+
+
+def api_microcontrollers() -> frozenset[str]:
+    """The microcontrollers whose programs are judged at the Arduino API."""
+    return frozenset(mcu for mcu, (_, values) in _facts().items() if "api" in values)
 
 
 def pins_and_inputs(board: platform.Board, pattern: str = ".+") -> tuple[list[platform.Pin], list[platform.Pin]]:

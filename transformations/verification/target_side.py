@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
-from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.port_devices import VOLTAGES, BoundPort
 from robosmi.transformations.verification.jobs import job, shows_console, store_bytes
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import DeviceUse, PinTrace, engines_for, simulate
@@ -88,7 +88,7 @@ class TargetSide:
         crash: VerificationError | None = None
         for number, name in enumerate(self._names):
             try:
-                return simulate(asked, name, LIMIT_S), number
+                return simulate(asked, name), number
             except EngineCrashError as error:
                 crash = crash or error
             except VerificationError as error:
@@ -99,11 +99,7 @@ class TargetSide:
 
 def _fed(use: DeviceUse, part: float) -> DeviceUse:
     """A device that shows a part of its board's supply, on a board with so many times the supply of the source board."""
-    if use.kind != _VOLTAGES or part == 1.0:
+    if use.kind != VOLTAGES or part == 1.0:
         return use
     points = [[at_ms, None if value is None else value * part] for at_ms, value in use.settings["points"]]
     return replace(use, settings={**use.settings, "points": points})
-
-
-_VOLTAGES = "voltages"
-"""Kind of the device that shows a voltage at a pin of the converter."""

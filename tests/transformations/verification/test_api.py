@@ -24,10 +24,10 @@ BINDINGS = {
     "servo": {"P16": "D9"},
     "ranger": {"P9": "D7", "P6": "D6"},
     "analog": {"AD2": "A1", "P6": "D6"},
-    "tone": {"P4": "D8"},
+    "tone": {"P4": "D8", "P5": "D5"},
     "text": {},
 }
-ON_ESP32 = {"analog": {"AD2": "IO34", "P6": "IO19"}, "tone": {"P4": "IO26"}}
+ON_ESP32 = {"analog": {"AD2": "IO34", "P6": "IO19"}, "tone": {"P4": "IO26", "P5": "IO25"}}
 FAULTS = {
     "blink": ("pause(300)", "pause(360)"),
     "button": ("if (input(", "if (!input("),

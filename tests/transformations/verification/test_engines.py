@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.metamodels import platform
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.simulation import DeviceUse, engine_names, simulate
+from robosmi.verify.simulation import DeviceUse, engine_names, simulate, usual_limit_s
 from tests.tools import require_engine
 from tests.transformations.verification.conftest import Run
 
@@ -214,3 +214,9 @@ def test_a_program_that_leaves_its_memory_has_crashed_and_its_time_is_told(job_o
     assert trace.state == "crashed"
     assert trace.simulated_us == pytest.approx(20_000, rel=0.05)
     assert trace.levels("D8")[-1][1] == 1
+
+
+def test_a_run_of_a_slow_program_may_take_as_long_as_it_needs() -> None:
+    """48 s of a program that polls a line take 150 s of processor time on rp2040js; a short one that hangs ends after 60 s."""
+    assert usual_limit_s(48e6) > 150
+    assert usual_limit_s(1e6) == 60

@@ -6,6 +6,7 @@ import random
 from itertools import pairwise
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
@@ -77,6 +78,13 @@ def test_what_is_typed_follows_one_after_the_other() -> None:
     times = [at for at, _ in series_points(console)]
     assert [value for _, value in series_points(console)][:2] == ["up 50\r", "down 50\r"]
     assert times == [900.0 + 300 * number for number in range(len(console.values))]
+
+
+def test_no_voltage_is_tried_that_the_pin_of_the_board_does_not_bear() -> None:
+    port = BoundPort("AD0", "AD0", "GP26", device="voltages", pin="pin")
+    (all_of_them,), (borne,) = (scenario_inputs([each], (), False) for each in (port, replace(port, most=3300.0)))
+    assert (max(all_of_them.values), all_of_them.ends) == (4900, (0, 5000))  # type: ignore[type-var]
+    assert (max(borne.values), borne.ends) == (3300, (0, 3300))  # type: ignore[type-var]
 
 
 def test_two_contacts_are_turned_as_a_knob() -> None:

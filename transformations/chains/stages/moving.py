@@ -33,7 +33,7 @@ from robosmi.transformations.knowledge.platforms.target_platform import TargetFa
 from robosmi.transformations.m2m.choices.stored_choices import StoredChoices
 from robosmi.transformations.m2m.moved_choices import Carried, NewHardware, carried_choices, changes
 from robosmi.transformations.m2m.plan_tasks import settle
-from robosmi.transformations.m2m.proposed_pins import proposed_pins
+from robosmi.transformations.m2m.proposed_pins import proposed_pins, proposed_volts
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
@@ -248,7 +248,7 @@ def _table(plan: migration.MigrationPlan, pins: Mapping[str, str], facts: Target
         if c.pin is not None
     ]  # fmt: skip
     parts: Sequence[hardware.Component] = list(plan.circuit.components) if plan.circuit is not None else []
-    return pin_table(rows, facts.board, path, rests_beyond_names(parts))
+    return pin_table(rows, facts.board, path, rests_beyond_names(parts), proposed_volts(plan, facts.board_model))
 
 
 def _read(path: Path | None, settings: Project, facts: TargetFacts) -> tuple[StoredDrawing | None, Project, dict[str, str]]:

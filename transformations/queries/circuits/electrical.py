@@ -186,6 +186,10 @@ class Wiring:
             return stated_volts(net.voltage) if net.rail else None
         return next((v for o, c in self.sources(net) if (v := stated_volts(c.name)) is not None), None)
 
+    def fed_with(self, component: hardware.Component) -> float:
+        """The highest voltage of the supply nets that a component is at, 0 if none is known."""
+        return max((volts for _, net in self.nets(component) if (volts := self.volts(net)) is not None), default=0.0)
+
     def is_ground(self, net: hardware.Net) -> bool:
         """Whether a net is ground: what boards and supplies say takes precedence over the names of other connectors."""
         sources = self.sources(net)
@@ -214,6 +218,18 @@ def wiring(circuit: hardware.Circuit) -> Wiring:
         known = ext(circuit).wiring = Wiring(circuit)
     assert isinstance(known, Wiring)
     return known
+
+
+def fed_parts(circuit: hardware.Circuit) -> dict[str, float]:
+    """Identity of a part -> the voltage that a drawing feeds it with, of parts with a supply connector and of sensors.
+
+    Drivers are left out: they have another supply for what they drive.
+    """
+    w = wiring(circuit)
+    silent = (Role.Board, Role.Power, Role.Passive, Role.Decoration)
+    parts = [c for c in circuit.components if c.role not in silent and not c.driver]
+    fed = [c for c in parts if c.role is Role.Input or any(k.kind is Kind.supply for k, _ in w.nets(c))]
+    return {str(c.elementId): volts for c in fed if (volts := w.fed_with(c)) > 0}
 
 
 def stated_volts(label: str) -> float | None:

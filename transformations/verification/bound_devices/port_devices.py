@@ -38,6 +38,7 @@ from robosmi.transformations.queries.place_names import named, names_within
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of, servo_pins
 from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
 from robosmi.transformations.queries.plans.port_pins import bound_pin
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import program_ports
 from robosmi.transformations.queries.ports.split_wires import answering_pin, written_pin
@@ -91,6 +92,7 @@ class BoundPort(Struct, frozen=True):
         timed: whether the program drives the device for a time.
         recounts: how far the last goal has to be from where the device stands for the next goal to be counted from there; 0 if it
             is always counted from the last one.
+        most: greatest value that the board's pin can show of a signal that is measured as it is; 0 for no bound.
     """
 
     name: str
@@ -118,6 +120,7 @@ class BoundPort(Struct, frozen=True):
     timed: bool = False
     recounts: float = 0.0
     near: tuple[float, float] | None = None
+    most: float = 0.0
 
     @property
     def watched(self) -> bool:
@@ -140,6 +143,10 @@ class BoundPort(Struct, frozen=True):
             "port": self.name, "component": self.component or None, "source": self.source, "target": self.target or None,
             "device": self.device or None,
         }  # fmt: skip
+
+
+VOLTAGES = "voltages"
+"""Kind of the device that shows a voltage at a pin of the converter, in millivolts."""
 
 
 def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> list[BoundPort]:
@@ -190,6 +197,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
             split=_split(plan, binding), motor=_motor(plan, binding), given_up=not binding.open, near=near,
             called_at=frozenset(places.get(number, ())) if used else frozenset(),
+            most=plan.board.volts * 1000 if device == VOLTAGES and plan.board is not None and not retains_platform(plan) else 0.0,
         )  # fmt: skip
         first = found.setdefault(source, port)
         if first is not port and first.target and port.target and first.target != port.target:

@@ -13,10 +13,10 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
-from robosmi import inputs, resources
+from robosmi import inputs
 from robosmi.base.data_tables import DataTable
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.project import read_data
+from robosmi.transformations.verification.jobs import api_microcontrollers
 from robosmi.verify.bench import device_class
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.original_build import OriginalProgram
@@ -57,7 +57,7 @@ class Api:
 
     def serves(self, mcu: str) -> bool:
         """Whether the data says that programs for the microcontroller are judged here."""
-        return mcu in _microcontrollers()
+        return mcu in api_microcontrollers()
 
     def run(self, job: Job) -> PinTrace:
         """Run a program in its sandbox.
@@ -114,12 +114,6 @@ def _launcher(place: Path) -> Launcher:
         return run([_COMPILER, *FLAGS, str(SOURCE), "-o", str(target)])
 
     return launcher(compile_it, f"{_COMPILER} {tool_version(_COMPILER, ['-dumpfullversion'])}", place, strict=True)
-
-
-@cache
-def _microcontrollers() -> frozenset[str]:
-    """Those that the data names."""
-    return frozenset(read_data(resources.find("platform_repo", "simulation/api.toml")))
 
 
 @cache

@@ -130,6 +130,7 @@ def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
         ("a.csv", "pin,part\n,LED\n", "a row has no pin", 2),
         ("a.csv", "pin,part,role\nD3,LED,Sensor\n", "'Sensor' is no role", 2),
         ("a.csv", "pin,part,rest\nD3,Relay module,up\n", "rest is 'up'", 2),
+        ("a.csv", "pin,part,volts\nD3,HC-SR04,VCC\n", "volts is 'VCC'", 2),
         ("a.csv", "pin,part,driver\nD3,L293D,perhaps\n", "driver is 'perhaps'", 2),
         ("a.csv", "pin,part\nD3,LED,red,bright\n", "a row has 4 cells, but the header has 2", 2),
         ("a.csv", 'pin,part\nD3,"LED\n', "not valid CSV", 2),
@@ -160,7 +161,7 @@ def test_what_is_wrong_with_a_table(name: str, text: str, cause: str, line: int 
 @pytest.mark.parametrize("board", ["", "mega"])
 def test_a_table_of_a_drawing_without_a_wired_pin_is_read_again(ending: str, board: str, tmp_path: Path) -> None:
     path = tmp_path / f"a{ending}"
-    path.write_text(pin_table([], board, path, {}))
+    path.write_text(pin_table([], board, path, {}, {}))
     drawn = hardware(path)
     assert [found["module_id"] for found in drawn.result["boards"]] == [board or "uno"]
     assert drawn.result["mappings"] == []

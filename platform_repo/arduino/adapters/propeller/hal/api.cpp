@@ -29,7 +29,7 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 //# helper Io
 //#   fidelity: what was last set is kept here, as the API tells neither latch nor direction; an input has no pull-up whatever its latch is
 //#   limit: levels are set and read by digitalWrite() and digitalRead(), which take up to some microseconds each
-static uint8_t *cog_pins_now = 0;    // no cogs take turns here
+[[maybe_unused]] static uint8_t *cog_pins_now = 0;  // no cogs take turns here
 static void (*jobs_due)() = 0;       // does the jobs that are due; 0: there are none
 static bool latches[256], outputs[256];
 
@@ -93,7 +93,10 @@ struct PinInput {  // the level of a wired pin
   bool known;
 
   bool wired() const { return known; }
-  bool high() const { return known && digitalRead(pin) == HIGH; }
+  bool high() const {
+    if (jobs_due) jobs_due();  // a loop that reads it may be a long wait
+    return known && digitalRead(pin) == HIGH;
+  }
 };
 
 inline PinInput input_of(const Io &io) { return {io.pin, io.wired()}; }

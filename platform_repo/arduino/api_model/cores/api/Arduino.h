@@ -16,6 +16,9 @@
 extern "C" {
 #endif
 
+char *strupr(char *text);  // of newlib, which the cores have, and not of this machine's C library
+char *strlwr(char *text);
+
 typedef enum { LOW = 0, HIGH = 1, CHANGE = 2, FALLING = 3, RISING = 4 } PinStatus;
 typedef enum { INPUT = 0, OUTPUT = 1, INPUT_PULLUP = 2, INPUT_PULLDOWN = 3 } PinMode;
 typedef enum { LSBFIRST = 0, MSBFIRST = 1 } BitOrder;
