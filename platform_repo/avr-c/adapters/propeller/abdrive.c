@@ -54,7 +54,7 @@ static int16_t drive_goto_step = 4;
 //# helper wheels
 //#   needs: simpletools.h/Io
 //#   include: <avr/interrupt.h> <stdlib.h>
-//#   ram: 74
+//#   ram: 72
 typedef struct {
   volatile int16_t speed, target;     // ticks/s
   int16_t step;                       // ticks/s each frame
@@ -70,8 +70,7 @@ typedef struct {
   uint8_t pin;
   Io input;                           // of the encoder
 } Wheel;
-static Wheel wheels[2];
-static void (*drive_counts)(void);  // what begins to count encoder ticks when the drive starts, where the program asks for them
+static Wheel wheels[2] __attribute__((unused));
 
 static inline int16_t whole_16(const volatile int16_t *value) {  // not torn by an interrupt
   uint8_t old = SREG;
@@ -105,6 +104,10 @@ static inline uint8_t drive_carried(uint8_t *sum, uint8_t part) {  // 1 when fif
   *sum -= 50;
   return 1;
 }
+
+//# helper drive_counts
+//#   ram: 2
+static void (*drive_counts)(void);  // what begins to count encoder ticks when the drive starts, where the program asks for them
 
 //# helper drive_pins
 //#   port: left_servo = abdrive.left_servo 12 digital out servo
@@ -173,7 +176,7 @@ static inline void drive_wait_rest(void) {
 }
 
 //# helper drive_start
-//#   needs: drive_frame drive_pins wheels servo.h/servo_slots servo.h/servo_send servo.h/frames servo.h/servo_us simpletools.h/Io
+//#   needs: drive_counts drive_frame drive_pins wheels servo.h/servo_slots servo.h/servo_send servo.h/frames servo.h/servo_us simpletools.h/Io
 //#   ram: 1
 static bool drive_on;
 
@@ -193,7 +196,7 @@ static inline void drive_start(void) {  // as long as the library takes for the 
 }
 
 //# helper drive_encoders
-//#   needs: wheels simpletools.h/Io servo.h/background
+//#   needs: drive_counts wheels simpletools.h/Io servo.h/background
 //#   port: left_encoder = abdrive.left_encoder 14 digital in encoder
 //#   port: right_encoder = abdrive.right_encoder 15 digital in encoder
 //#   fidelity: a change of level is a tick when it is seen twice, as there; levels are read 976 times a second, there 800 times
@@ -308,7 +311,8 @@ static inline void drive_ramp(int32_t left, int32_t right) {
 //#   role: encoder
 //#   fidelity: ticks since the first call that drives, and 0 before it, counted up or down by the sense in which the wheel was driven last,
 //#   fidelity: as there
-#define drive_getTicks(left, right) (*(left) = whole_32(&wheels[0].ticks), *(right) = whole_32(&wheels[1].ticks), (void)0)
+#define drive_getTicks(left, right) \
+  (*(left) = whole_32(&wheels[0].ticks), *(right) = whole_32(&wheels[1].ticks), (void)0)
 
 //# adapter drive_getTicksCalc
 //#   for: void drive_getTicksCalc(int *left, int *right)
@@ -316,7 +320,8 @@ static inline void drive_ramp(int32_t left, int32_t right) {
 //#   needs: wheels
 //#   fidelity: ticks as the speeds make them
 //#   limit: encoders do not hold them within the error limit
-#define drive_getTicksCalc(left, right) (*(left) = whole_32(&wheels[0].way50) / 50, *(right) = whole_32(&wheels[1].way50) / 50, (void)0)
+#define drive_getTicksCalc(left, right) \
+  (*(left) = whole_32(&wheels[0].way50) / 50, *(right) = whole_32(&wheels[1].way50) / 50, (void)0)
 
 //# helper drive_going
 //#   needs: wheels
@@ -327,7 +332,7 @@ static volatile uint16_t drive_still;  // frames since the last tick
 static bool drive_goto_waits = true;
 static int32_t drive_ticks_before;
 
-static void drive_go_on(Wheel *wheel) {
+static inline void drive_go_on(Wheel *wheel) {
   int32_t now = whole_32(&wheels[0].ticks) + whole_32(&wheels[1].ticks);
   if (now != drive_ticks_before) drive_still = 0;
   else if (drive_still < 65535) drive_still++;
