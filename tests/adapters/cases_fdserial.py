@@ -119,7 +119,7 @@ def lines_are_understood_beside_servos_that_move(uno: Uno) -> None:
     both_lines_are_understood(uno, 19200, begin, go_on, ["servo.h/servo_set", "servo.h/servo_setramp"], [])
 
 
-@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar", in_c=False)
 def fast_lines_are_understood(uno: Uno) -> None:
     program = """
 fdserial *line;

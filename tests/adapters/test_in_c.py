@@ -16,6 +16,7 @@ from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.adapters.bench import BESIDE, CASES, NO_PIN, NOT_IN_C, NOTHING_TO_DO, broken, notices
 from tests.adapters.bench_c import HEAD, MCUS, UnoInC, alone, pieces
 from tests.adapters.cases import load_cases
+from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 load_cases()
@@ -32,7 +33,7 @@ def _tools() -> None:
     require_engine("simavr")
 
 
-@pytest.mark.parametrize("name", IN_C)
+@pytest.mark.parametrize("name", sample(IN_C, 32))
 def test_adapters_in_c_do_what_the_library_documents(name: str) -> None:
     CASES[name][0](UnoInC())
 

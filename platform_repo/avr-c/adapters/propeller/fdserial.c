@@ -139,14 +139,14 @@ static inline void quiet_of_servos(uint32_t us) {
 
 //# helper SerialLine
 //#   needs: PinWatch quiet_of_servos simpletools.h/Io simpletools.h/timed_input propeller.h/clock_us
-//#   include: <stdlib.h> <util/delay_basic.h>
-//#   fidelity: up to 19,200 baud a byte is put together from the times of its edges, so that other interrupts go on, and several lines
-//#   fidelity: receive at the same time; faster, a byte is received and sent with interrupts off
+//#   include: <stdlib.h>
+//#   fidelity: a byte is put together from the times of its edges, so that other interrupts go on, and several lines receive at the
+//#   fidelity: same time
 typedef struct SerialLine {
   PinWatch watch;
   Io receives, sends;
-  bool inverts_rx, inverts_tx, open_drain, drops_echo, fast;
-  uint16_t cycles, bit_us;             // of a bit
+  bool inverts_rx, inverts_tx, open_drain, drops_echo;
+  uint16_t bit_us;                     // of a bit
   volatile uint8_t head, tail;
   uint8_t bytes[64];
   volatile uint8_t cells;              // of the byte that comes: 0 none, else the start bit and those known
@@ -186,21 +186,6 @@ static inline void line_fill(SerialLine *line, uint16_t us, bool mark) {  // it 
   }
 }
 
-static inline void line_fast_edge(PinWatch *watch) {  // right behind the beginning of a start bit, with interrupts off
-  SerialLine *line = (SerialLine *)watch;
-  uint8_t rests = line->inverts_rx ? 0 : watch->mask, byte = 0;
-  if (watch->level == rests) return;
-  uint16_t bit = line->cycles / 4;
-  _delay_loop_2(bit + bit / 2 - 38);
-  for (uint8_t number = 0; number < 8; number++) {
-    byte >>= 1;
-    if ((*watch->in & watch->mask) == rests) byte |= 0x80;
-    _delay_loop_2(bit - 5);
-  }
-  watch->level = *watch->in & watch->mask;
-  line_keep(line, byte);
-}
-
 static inline void line_edge(PinWatch *watch) {
   SerialLine *line = (SerialLine *)watch;
   bool mark = (watch->level != 0) != line->inverts_rx;
@@ -234,17 +219,13 @@ static inline void line_put(SerialLine *line, uint8_t byte) {
   if (!line->sends.mask) return;
   if (frames_due) frames_due();
   frames_wait = 50;
-  if (line->cycles < F_CPU / 9000) quiet_of_servos(line->bit_us * 10UL);
+  if (line->bit_us < 111) quiet_of_servos(line->bit_us * 10UL);  // above 9,000 baud
   uint16_t bits = byte << 1 | 0x200, until = 0;
   uint8_t old = SREG, last = line->head;
   cli();
   uint32_t start = clock_us();
   for (uint8_t left = 10; left; left--, bits >>= 1) {
     line_show(line, bits & 1);
-    if (line->fast) {
-      _delay_loop_2(line->cycles / 4 - 27);
-      continue;
-    }
     SREG = old;  // other interrupts have their time behind an edge, so that none runs when the next one is due
     uint16_t quiet = until + line->bit_us - 32;
     while (clock_us() - start < quiet) {}
@@ -302,15 +283,13 @@ static inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int3
   line->inverts_tx = mode & 2;
   line->open_drain = mode & 4;
   line->drops_echo = mode & 8;
-  line->fast = baudrate > 19200;
-  line->cycles = (F_CPU + baudrate / 2) / baudrate;
   line->bit_us = (1000000UL + baudrate / 2) / baudrate;
   if (receives.mask) {
     io_drive(receives, false);
     if (!line->inverts_rx) io_put(receives, IO_OUT, true);  // a line that is not wired rests
   }
   if (sends.mask) line_show(line, true);
-  if (receives.mask) watch_pin(&line->watch, receives, line->fast ? line_fast_edge : line_edge);
+  if (receives.mask) watch_pin(&line->watch, receives, line_edge);
   return text;
 }
 
@@ -321,11 +300,11 @@ static inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int3
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
 //#   fidelity: 63 bytes are kept, as there; it waits half a second, as there; the modes for inversion, open drain and echo are obeyed
-//#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 baud
+//#   limit: up to 19,200 baud away from the console
 //#   limit: a byte is sent while the program waits, and what arrives meanwhile may get lost
 //#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
 //#   limit: FDSERIAL_MODE_RX_ONLY changes nothing
-//#   range: baudrate 245..57600 away from RX: bytes get lost or broken
+//#   range: baudrate 245..19200 away from RX: bytes get lost or broken
 static inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   fdserial *line = open_line(rxpin, txpin, mode, baudrate);
   clock_wait(500);
