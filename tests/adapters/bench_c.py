@@ -89,7 +89,7 @@ class UnoInC(Uno):
         needed = known.needed([(header, name) for header, name in (use.rsplit("/", 1) for use in wanted)], "atmega328p")
         if needed.unserved:
             raise NotBuiltError(needed.unserved)
-        ports = {name: str(PINS[pin]) for name, pin in self.ports.items()}
+        ports = {name: str(PINS.get(pin, pin)) for name, pin in self.ports.items()}
         numbers = {number: str(PINS[pin]) for number, pin in self.numbers.items()}
         elements = [adapter_element(piece) for piece in needed.pieces]
         return f"{HEAD}{first}{adapter_text(elements, ports, NO_PIN, numbers)}\n{CORE}\n{in_c(program)}"

@@ -26,16 +26,16 @@ def d(*names: str) -> list[str]:
 @proves(*d("speed", "rampStep", "ramp", "setMaxSpeed", "setRampStep", "servoPins"))
 def drives_change_their_speed_in_frames_of_20_ms_and_calls_take_as_long_as_there(uno: Uno) -> None:
     program = f"""{SAY}
-template <class Call> void time(Call call) {{ uint32_t begun = millis(); call(); say(millis() - begun); }}
+#define TIME(call) do {{ uint32_t begun = millis(); call; say(millis() - begun); }} while (0)
 void setup() {{ Serial.begin(115200); drive_servoPins(9, 10);
-  time([]() {{ drive_speed(0, 0); }}); delay(50);
-  time([]() {{ drive_speed(128, 64); }}); delay(160);
-  time([]() {{ drive_speed(128, 64); }});
-  time([]() {{ drive_rampStep(48, 56); }}); delay(100);
-  time([]() {{ drive_speed(0, 0); }}); delay(60);
+  TIME(drive_speed(0, 0)); delay(50);
+  TIME(drive_speed(128, 64)); delay(160);
+  TIME(drive_speed(128, 64));
+  TIME(drive_rampStep(48, 56)); delay(100);
+  TIME(drive_speed(0, 0)); delay(60);
   drive_setMaxSpeed(100); drive_setRampStep(4);
-  time([]() {{ drive_ramp(-200, 40); }});
-  time([]() {{ drive_ramp(-200, 0); }}); drive_speed(-90, 90); }}
+  TIME(drive_ramp(-200, 40));
+  TIME(drive_ramp(-200, 0)); drive_speed(-90, 90); }}
 void loop() {{}}
 """
     used = d("speed", "rampStep", "ramp", "setMaxSpeed", "setRampStep", "servoPins")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import pytest
 
@@ -33,7 +34,7 @@ WIRED = {"arlodrive.line": "8"}
 
 def arlo(uno: Uno) -> Uno:
     """The bench with the drive's line at D8."""
-    return Uno(uno.changed, WIRED)
+    return replace(uno, ports=WIRED)
 
 
 @proves(*a("drive_open", "dhb10_com", "drive_getTicks", "drive_getSpeed", "drive_clearTicks"))

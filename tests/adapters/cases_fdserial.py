@@ -99,15 +99,17 @@ def both_lines_are_understood(
     assert sent == [("byte", ord(each) ^ 1) for each in said * 2]
 
 
-@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
+FEEDBACK = ["servo360.h/servo360_connect", "servo360.h/servo360_speed"]
+
+
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar", beside=FEEDBACK)
 def lines_are_understood_beside_servos_with_feedback(uno: Uno) -> None:
-    used = [f"servo360.h/servo360_{name}" for name in ("connect", "speed")]
     begin = "servo360_connect(5, A0); servo360_connect(6, A1); servo360_speed(5, 180); servo360_speed(6, -90);"
     servos = [
         DeviceUse("feedback_servo", {"servo": "D5", "feedback": "A0"}, {}),
         DeviceUse("feedback_servo", {"servo": "D6", "feedback": "A1"}, {"degrees": 10.0}),
     ]
-    both_lines_are_understood(uno, 9600, begin, "", used, servos)
+    both_lines_are_understood(uno, 9600, begin, "", FEEDBACK, servos)
 
 
 @proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
@@ -117,7 +119,7 @@ def lines_are_understood_beside_servos_that_move(uno: Uno) -> None:
     both_lines_are_understood(uno, 19200, begin, go_on, ["servo.h/servo_set", "servo.h/servo_setramp"], [])
 
 
-@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar", in_c=False)
 def fast_lines_are_understood(uno: Uno) -> None:
     program = """
 fdserial *line;

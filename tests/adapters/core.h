@@ -46,6 +46,11 @@ static inline void Serial_flush(void) {
   while (!(UCSR0A & _BV(UDRE0))) {}
 }
 
+static inline void Serial_write(uint8_t byte) {
+  Serial_flush();
+  UDR0 = byte;
+}
+
 static inline void core_text(const char *text) {
   for (; *text; text++) {
     Serial_flush();

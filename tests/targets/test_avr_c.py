@@ -10,10 +10,13 @@ import pytest
 
 import robosmi
 from robosmi.errors import SourceError, UsageError
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run
 from tests.tiers import sample
-from tests.tools import require_tools
+from tests.tools import require_engine, require_tools
 
 HERE = Path(__file__).parent
 CASES = HERE.parent / "transformations" / "m2t" / "cases"
@@ -38,6 +41,32 @@ def test_main_and_the_text_of_the_program_stay(line_follower: Path) -> None:
     assert sorted(p.name for p in (line_follower / "line_follower").iterdir()) == [
         "MIGRATION.md", "Makefile", "adapters.h", "line_follower.c",
     ]  # fmt: skip
+
+
+def test_listing_1_of_the_paper_runs_at_the_pins(examples: Path, tmp_path: Path) -> None:
+    """Every call has a body; the robot drives straight, both servos 37 us beyond neutral (24 ticks/s)."""
+    require_tools("avr-gcc", "avr-objcopy", "avr-size")
+    require_engine("simavr")
+    made = robosmi.migrate([examples / "listing_1" / "listing_1.c"], tmp_path / "out", target="avr-c")
+    assert [use.name for use in made.models.plan.adapterUses if use.adapter is None] == []
+    report = compile_sketch(tmp_path / "out", keep=tmp_path)
+    assert report.ok
+    assert report.diagnostics == ()
+    assert report.elf is not None
+    assert report.hex is not None
+    trace = simulate(job(report.elf, report.hex, load_board("uno"), 400_000, []))
+    for pin, width in (("D8", 1537), ("D9", 1463)):
+        begun, last = trace.pulses(pin)[-1]
+        assert begun > 350_000
+        assert last == pytest.approx(width, abs=3)
+
+
+def test_a_function_of_the_same_name_in_another_header_is_not_its_adapter(tmp_path: Path) -> None:
+    """drive_rampStep of abdrive360.h, which has no adapters in C, looks like that of abdrive.h, which drives other pins."""
+    program = tmp_path / "robot.c"
+    program.write_text('#include "abdrive360.h"\nint main() { drive_rampStep(9, 9); }\n')
+    plan = robosmi.plan_migration([program], target="avr-c").plan
+    assert [(use.name, use.adapter) for use in plan.adapterUses] == [("drive_rampStep", None)]
 
 
 def test_nothing_that_is_made_speaks_of_a_sketch(line_follower: Path, tmp_path: Path) -> None:

@@ -91,9 +91,10 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
     for use in named:
         if use.adapter is not None:
             users.setdefault(use.adapter, []).append(use)
-    pins, numbers = port_literals(plan)
+    in_c = target_of(plan).language == "C"
+    pins, numbers = port_literals(plan, by_name=not in_c)  # in C the constants of connections need a macro of the adapters
     written = shared if several_units(plan) else str
-    storage = "static " if target_of(plan).language == "C" else ""
+    storage = "static " if in_c else ""
     changed = _changed_names(plan)
     return {
         "headers": includes(pieces),

@@ -172,17 +172,19 @@ class AdapterChoice:
     def _places(self, name: str, header: str) -> list[str]:
         """The headers whose adapter files may have a name of the given header, nearest first; all headers if it is unknown.
 
-        These are the header itself, those that declare the same signature, those it includes and those that include it.
+        These are the header itself, those it includes and those that include it, unless these declare it with another signature.
+        The function of that name in any other header drives other hardware.
         """
         if not header:
             return list(self.index.headers)
         declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
-        same = [other for other, signature in declared.items() if signature == declared.get(header)]
-        below = [other for other in declared if other in self.api.closure((header,))]
+        included = self.api.closure((header,))
+        below = [other for other in declared if other in included]
         closures = {other: self.api.closure((other,)) for other in self.index.headers}
         above = [other for other, below_it in closures.items() if header in below_it]
         above.sort(key=lambda other: len(closures[other]))  # the nearest ones first; those of further ones need not be read
-        return list(dict.fromkeys((header, *same, *below, *(other for other in above if other not in declared))))
+        same = declared.get(header)
+        return list(dict.fromkeys((header, *below, *(other for other in above if declared.get(other, same) == same))))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
         """The message about an interrupt that a piece needs and another function's adapter has; empty if there is none."""

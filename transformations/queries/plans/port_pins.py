@@ -70,16 +70,21 @@ def measures(pin: platform.Pin, binding: migration.PortBinding) -> bool:
     return port is None or port.capability is not platform.PinCapability.analog or "analog_in" in pin.abilities
 
 
-def port_literals(plan: migration.MigrationPlan) -> tuple[dict[str, str], dict[int, str]]:
+def port_literals(plan: migration.MigrationPlan, *, by_name: bool = True) -> tuple[dict[str, str], dict[int, str]]:
     """Name of a conventional port -> its pin, and number of a port of the source -> its pin; ports without a pin are left out.
 
     A number that is used by itself and by convention has its own pin in the second.
+
+    Args:
+        plan: the plan.
+        by_name: whether a connection's constant is declared where the text goes, so that the first may name it.
     """
     names: dict[str, str] = {}
     numbers: dict[int, str] = {}
     conventional = [b for b in plan.portBindings if b.origin == "convention"]
     for binding in conventional:
-        text = port_text(binding)
+        pin = bound_pin(binding)
+        text = port_text(binding) if by_name else pin_literal(pin) if pin is not None else None
         if text is not None:
             named = [binding.conventionalPort.name] if binding.conventionalPort is not None else []
             names |= dict.fromkeys([binding.name, *binding.names, *named], text)

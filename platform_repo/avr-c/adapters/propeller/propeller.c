@@ -48,6 +48,19 @@ static inline uint32_t clock_us(void) {
   return (rounds << 8 | part) * (uint32_t)(64 / (F_CPU / 1000000UL));
 }
 
+//# helper clock_ms
+//#   needs: clock_us
+//#   include: <avr/interrupt.h>
+//#   fidelity: milliseconds since the program began, for 49 days; up to 2 ms late
+static inline uint32_t clock_ms(void) {
+  const uint8_t part = 16000000UL / F_CPU;  // 1,024 us each round at 16 MHz
+  uint8_t old = SREG;
+  cli();
+  uint32_t rounds = clock_rounds;
+  SREG = old;
+  return rounds * part + rounds / 125 * (3 * part) + rounds % 125 * (3 * part) / 125;
+}
+
 //# helper clock_wait
 //#   needs: clock_us
 //#   fidelity: so many milliseconds

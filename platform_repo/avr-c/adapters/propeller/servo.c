@@ -7,11 +7,12 @@
 //#   include: <avr/interrupt.h>
 //#   timer: Timer1
 //#   vector: TIMER1_COMPA_vect
+//#   fidelity: the frame job is due 2 ms before the pulses, so that each pulse has the width of its own frame
 //#   fidelity: eight servos at 20 ms, more of them at longer frames
-//#   ram: 132
+//#   ram: 146
 typedef struct {
   uint8_t pin;
-  bool used, on;
+  bool used, on, own;         // own: of a drive, which servo_stop and the like leave alone
   int16_t asked, sent, step;  // microseconds; step: at most so many more or less each frame
 } ServoSlot;
 static volatile ServoSlot servo_slots[14];
@@ -21,13 +22,15 @@ static uint8_t servo_mask;
 enum { servo_counts = F_CPU / 8000000UL };   // of Timer1 in a microsecond
 
 ISR(TIMER1_COMPA_vect) {
-  static uint16_t spent;
+  static uint16_t spent, begun;  // microseconds; when this frame began, in counts of Timer1
   if (servo_now < 14) *servo_out &= ~servo_mask;
-  else spent = 0, servo_now = -1;
+  else spent = 0, servo_now = -1, begun = OCR1A;
   do servo_now++;
   while (servo_now < 14 && !servo_slots[servo_now].on);
   if (servo_now == 14) {
-    OCR1A += (spent < 19900 ? 20000 - spent : 100) * servo_counts;
+    if (spent < 19800) OCR1A = begun + 20000U * servo_counts;
+    else OCR1A += 200U * servo_counts;
+    OCR1B = OCR1A - (spent < 17800 ? 2000U : 150U) * servo_counts;  // when the frame job is due
     return;
   }
   volatile ServoSlot *slot = &servo_slots[servo_now];
@@ -50,27 +53,120 @@ static inline volatile ServoSlot *servo_slot(int32_t pin, bool make) {
   }
   if (!make || !empty) return 0;
   empty->pin = pin;
+  empty->own = false;
   empty->step = 2000;
   empty->used = true;
   return empty;
 }
 
+static inline void servo_frames(void) {  // they begin, and go on without a servo
+  if (TIMSK1 & _BV(OCIE1A)) return;
+  TCCR1A = 0;
+  TCCR1B = _BV(CS11);
+  OCR1A = TCNT1 + 100;
+  TIFR1 = _BV(OCF1A);
+  TIMSK1 |= _BV(OCIE1A);
+}
+
 static inline void servo_begin(volatile ServoSlot *slot) {
   io_drive(io_at(slot->pin), true);
-  if (!(TIMSK1 & _BV(OCIE1A))) {
-    TCCR1A = 0;
-    TCCR1B = _BV(CS11);
-    OCR1A = TCNT1 + 100;
-    TIFR1 = _BV(OCF1A);
-    TIMSK1 |= _BV(OCIE1A);
-  }
+  servo_frames();
   slot->on = true;
 }
 
-static inline void servo_end(volatile ServoSlot *slot) {  // a pulse under way is ended first
+static inline void servo_rest(volatile ServoSlot *slot) {  // a pulse under way is ended first
   slot->on = false;
   while (servo_now < 14 && &servo_slots[servo_now] == slot) {}
+}
+
+static inline void servo_end(volatile ServoSlot *slot) {
+  servo_rest(slot);
   io_drive(io_at(slot->pin), false);
+}
+
+//# helper servo_send
+//#   needs: servo_slots
+//#   include: <avr/interrupt.h>
+static inline void servo_send(volatile ServoSlot *slot, int16_t us) {  // the width of the pulses from the next one on
+  uint8_t old = SREG;
+  cli();
+  slot->asked = slot->sent = us;
+  SREG = old;
+  if (!slot->on) servo_begin(slot);
+}
+
+//# helper background
+//#   needs: propeller.h/clock_us
+//#   include: <avr/interrupt.h>
+//#   vector: TIMER0_COMPA_vect
+//#   fidelity: sample jobs every 1,024 us with interrupts on
+//#   ram: 4
+static void (*sample_job)(void);
+static void (*each_period)(void);  // of 1,024 us
+
+ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {
+  if (sample_job) sample_job();
+  if (each_period) each_period();
+}
+
+static inline void count_periods(void) {
+  if (!OCR0A) OCR0A = 128;  // not right behind the clock's interrupt of that timer
+  TIMSK0 |= _BV(OCIE0A);
+}
+
+//# helper frames
+//#   needs: background servo_slots simpletools.h/timed_input
+//#   include: <avr/interrupt.h>
+//#   vector: TIMER1_COMPB_vect
+//#   fidelity: a frame job every 20 ms with interrupts on; it waits while an input is timed, and is made up for when that ends
+//#   ram: 6
+static void (*frame_job)(void);
+static volatile uint8_t frames_owed;  // that have waited
+static volatile uint8_t frame_age;    // periods of 1,024 us since the frame job began last
+static volatile bool frame_job_runs;
+
+static void do_frame_job(void) {
+  uint8_t old = SREG;
+  cli();
+  bool due = frames_owed && frame_age > 7 && !frame_job_runs;
+  if (due) frame_job_runs = true, frames_owed--;
+  SREG = old;
+  if (!due) return;
+  frame_job();
+  frame_age = 0;
+  frame_job_runs = false;
+}
+
+static void do_owed_frames(void) {  // all of them, as what comes next may make them wait again
+  for (uint8_t owed = frames_owed; owed; owed--) {
+    frame_age = 8;
+    do_frame_job();
+  }
+}
+
+static void frame_period(void) {
+  if (frame_age < 255) frame_age++;
+  if (frames_wait) frames_wait--;
+  else do_frame_job();
+}
+
+ISR(TIMER1_COMPB_vect) {
+  if (frames_owed < 3) frames_owed++;
+  sei();
+  if (!frames_wait) do_frame_job();
+}
+
+static inline void do_each_frame(void (*job)(void)) {
+  uint8_t old = SREG;
+  cli();
+  frame_job = job;
+  frames_due = do_owed_frames;
+  each_period = frame_period;
+  count_periods();
+  servo_frames();
+  TIFR1 = _BV(OCF1B);
+  TIMSK1 |= _BV(OCIE1B);
+  SREG = old;
 }
 
 //# helper servo_us
@@ -120,7 +216,7 @@ static inline int32_t servo_set(int32_t pin, int32_t time) {
   if (fresh || slot->step >= 2000) slot->sent = time;
   SREG = old;
   for (uint8_t number = 0; number < 14; number++)  // those that servo_stop has ended go on, as they do when the library's cog starts again
-    if (servo_slots[number].used && !servo_slots[number].on) servo_begin(&servo_slots[number]);
+    if (servo_slots[number].used && !servo_slots[number].own && !servo_slots[number].on) servo_begin(&servo_slots[number]);
   return known;
 }
 
@@ -196,5 +292,5 @@ static inline int32_t servo_disable(int32_t pin) {
 //#   fidelity: all pulses end and the pins become inputs; they go on with the next call of servo_set and its like, as there
 static inline void servo_stop(void) {
   for (uint8_t number = 0; number < 14; number++)
-    if (servo_slots[number].used) servo_end(&servo_slots[number]);
+    if (servo_slots[number].used && !servo_slots[number].own) servo_end(&servo_slots[number]);
 }

@@ -93,7 +93,20 @@
 typedef struct {
   bool open;  // at the console
   char terminalEcho, ecA, ecB, ecsA, ecsB;
+  struct SerialLine *line;  // at other pins
 } text_t;
+
+//# helper line_write
+//#   needs: text_t
+//#   fidelity: how serial lines at other pins than the console's send, where a program has them
+//#   ram: 2
+static void (*line_write)(struct SerialLine *line, uint8_t byte);
+
+//# helper line_read
+//#   needs: text_t
+//#   fidelity: how they receive: -1 without a byte
+//#   ram: 2
+static int16_t (*line_read)(struct SerialLine *line);
 
 //# type terminal
 //#   needs: text_t
@@ -111,6 +124,13 @@ static inline void usart_take(uint8_t byte) {
   if (next == usart_first) return;
   usart_bytes[usart_next] = byte;
   usart_next = next;
+}
+
+static inline int16_t usart_get(void) {  // -1 without a byte
+  if (usart_first == usart_next) return -1;
+  uint8_t byte = usart_bytes[usart_first];
+  usart_first = (usart_first + 1) % usart_room;
+  return byte;
 }
 
 //# helper usart_receiver
@@ -146,15 +166,23 @@ ISR(USART1_RX_vect) {
 //#   needs: usart_receiver
 //#   include: <avr/interrupt.h>
 //#   fidelity: the serial line of the console
+//#   ram: 1
+static bool usart_used;  // something was sent
+
+static inline bool usart_is_free(void) { return UCSR0A & _BV(UDRE0); }
+
 static inline void usart_put(uint8_t byte) {
-  while (!(UCSR0A & _BV(UDRE0))) {}
+  while (!usart_is_free()) {}
   UCSR0A = _BV(U2X0) | _BV(TXC0);
   UDR0 = byte;
+  usart_used = true;
 }
 
 static inline void usart_flush(void) {
-  while (!(UCSR0A & _BV(UDRE0))) {}
+  while (usart_used && !(UCSR0A & _BV(TXC0))) {}
 }
+
+static inline void usart_close(void) { UCSR0B = 0; }
 
 static inline void usart_open(uint32_t baud) {
   UCSR0A = _BV(U2X0);
@@ -168,15 +196,23 @@ static inline void usart_open(uint32_t baud) {
 //#   include: <avr/interrupt.h>
 //#   mcu: atmega32u4
 //#   fidelity: the serial line of the console
+//#   ram: 1
+static bool usart_used;  // something was sent
+
+static inline bool usart_is_free(void) { return UCSR1A & _BV(UDRE1); }
+
 static inline void usart_put(uint8_t byte) {
-  while (!(UCSR1A & _BV(UDRE1))) {}
+  while (!usart_is_free()) {}
   UCSR1A = _BV(U2X1) | _BV(TXC1);
   UDR1 = byte;
+  usart_used = true;
 }
 
 static inline void usart_flush(void) {
-  while (!(UCSR1A & _BV(UDRE1))) {}
+  while (usart_used && !(UCSR1A & _BV(TXC1))) {}
 }
+
+static inline void usart_close(void) { UCSR1B = 0; }
 
 static inline void usart_open(uint32_t baud) {
   UCSR1A = _BV(U2X1);
@@ -307,10 +343,11 @@ static inline void simpleterm_set(text_t *ptr) {
 //# adapter writeByte
 //#   for: void writeByte(text_t *p, char c)
 //#   kind: oneToOne
-//#   needs: text_t usart_registers
+//#   needs: text_t line_write usart_registers
 //#   fidelity: exact: the byte as it is
 static inline void writeByte(text_t *p, char c) {
-  if (p && p->open) usart_put(c);
+  if (p && p->line) line_write(p->line, c);
+  else if (p && p->open) usart_put(c);
 }
 
 //# adapter writeChar
@@ -349,13 +386,12 @@ static inline void putChar(char c) {
 //# adapter readByte
 //#   for: int readByte(text_t *text)
 //#   kind: oneToMany
-//#   needs: text_t usart_registers
+//#   needs: text_t line_read usart_registers
 //#   fidelity: it waits; 0 to 255. Bytes that came before the call are kept here, 64 of them, and lost there
 static inline int32_t readByte(text_t *text) {
-  if (!text || !text->open) return 0;
-  while (usart_first == usart_next) {}
-  uint8_t byte = usart_bytes[usart_first];
-  usart_first = (usart_first + 1) % usart_room;
+  if (!text || !(text->open || text->line)) return 0;
+  int16_t byte;
+  while ((byte = text->line ? line_read(text->line) : usart_get()) < 0) {}
   return byte;
 }
 

@@ -377,6 +377,20 @@ static inline void pause(int32_t time) {
 
 // ---------------------------------------------------------------- timed input and output
 
+//# helper timed_input
+//#   fidelity: what drives calculate every 20 ms waits while an input is timed: up to 20 ms for the edge that begins it, and up to 20 ms for
+//#   fidelity: the one that ends it
+//#   ram: 3
+static volatile uint8_t frames_wait;  // for how many periods of 1,024 us frame jobs wait
+static void (*frames_due)(void);      // does those that have waited
+
+static inline void edge_found(void) { frames_wait = 20; }
+
+static inline void end_timed_input(void) {
+  frames_wait = 0;
+  if (frames_due) frames_due();
+}
+
 //# helper edge_cycles
 //#   needs: propeller.h/clock_us
 //#   include: <avr/interrupt.h>
@@ -446,7 +460,7 @@ static inline int32_t answering(int32_t pin) {
 //# adapter pulse_in
 //#   for: int pulse_in(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io propeller.h/clock_us leaves in_units io_timeout_ticks
+//#   needs: Io propeller.h/clock_us leaves timed_input in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
@@ -456,16 +470,21 @@ static inline int32_t pulse_in(int32_t pin, int32_t state) {
   if (!io.mask) return 0;
   io_drive(io, false);
   uint8_t level = state ? io.mask : 0, other = io.mask ^ level;
-  uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = clock_us(), from, to;
-  if (!leaves(io, level, begun, limit, &from) || !leaves(io, other, begun, limit, &from)) return 0;
-  leaves(io, level, begun, limit, &to);
-  return in_units(to - from);
+  edge_found();
+  uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = clock_us(), from, to = 0;
+  bool found = leaves(io, level, begun, limit, &from) && leaves(io, other, begun, limit, &from);
+  if (found) {
+    edge_found();
+    leaves(io, level, begun, limit, &to);
+  }
+  end_timed_input();
+  return found ? in_units(to - from) : 0;
 }
 
 //# adapter rc_time
 //#   for: long rc_time(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io propeller.h/clock_us leaves edge_cycles in_units io_timeout_ticks
+//#   needs: Io propeller.h/clock_us leaves timed_input edge_cycles in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
@@ -474,19 +493,21 @@ static inline int32_t pulse_in(int32_t pin, int32_t state) {
 static inline int32_t rc_time(int32_t pin, int32_t state) {
   Io io = io_at(pin);
   if (!io.mask) return 0;
+  edge_found();
   uint8_t old = SREG;
   cli();
   io_drive(io, false);
   uint32_t from = edge_cycles(), begun = clock_us(), to;
   SREG = old;
   leaves(io, state ? io.mask : 0, begun, (uint32_t)io_timeout_ticks / 80, &to);
+  end_timed_input();
   return in_units(to - from);
 }
 
 //# adapter pulse_out
 //#   for: void pulse_out(int pin, int time)
 //#   kind: oneToMany
-//#   needs: Io io_ticks propeller.h/clock_us
+//#   needs: Io io_ticks timed_input propeller.h/clock_us
 //#   include: <avr/interrupt.h> <util/delay_basic.h>
 //#   pin: pin digital out
 //#   fidelity: within 0.5 us or 1 %; the pulse is the inverse of the output latch
@@ -495,11 +516,7 @@ static inline void pulse_delay(uint16_t width) {  // microseconds, less what sta
   if (turns > 3) _delay_loop_2(turns - 3);
 }
 
-static inline void pulse_out(int32_t pin, int32_t time) {
-  Io io = io_at(pin);
-  if (!io.mask) return;
-  uint32_t width = io_ticks == 80 ? (uint32_t)time : (uint32_t)time * io_ticks / 80;
-  io_drive(io, true);
+static inline void pulse_at(Io io, uint32_t width) {
   uint8_t old = SREG;
   cli();
   if (width < 40) {
@@ -524,10 +541,20 @@ static inline void pulse_out(int32_t pin, int32_t time) {
   SREG = old;
 }
 
+static inline void pulse_out(int32_t pin, int32_t time) {
+  Io io = io_at(pin);
+  if (!io.mask) return;
+  io_drive(io, true);
+  if (frames_due) frames_due();
+  edge_found();
+  pulse_at(io, io_ticks == 80 ? (uint32_t)time : (uint32_t)time * io_ticks / 80);
+  frames_wait = 3;  // what answers to the pulse may be timed next
+}
+
 //# adapter count
 //#   for: long count(int pin, long duration)
 //#   kind: semantic
-//#   needs: Io propeller.h/clock_us propeller.h/clock_wait
+//#   needs: Io timed_input propeller.h/clock_us propeller.h/clock_wait
 //#   pin: pin digital in
 //#   fidelity: rising edges in so many milliseconds
 //#   limit: it polls: up to about 100 kHz
@@ -539,14 +566,23 @@ static inline int32_t count(int32_t pin, int32_t duration) {
     return 0;
   }
   io_drive(io, false);
+  edge_found();
   int32_t edges = 0;
   uint8_t last = *io.in & io.mask;
-  for (uint32_t begun = clock_us(); clock_us() - begun < (uint32_t)duration * 1000;)
+  for (uint32_t begun = clock_us(); clock_us() - begun < (uint32_t)duration * 1000;) {
     for (uint8_t turn = 50; turn; turn--) {
       uint8_t now = *io.in & io.mask;
       edges += now && !last;
       last = now;
     }
+    if (frames_wait > 1) continue;
+    uint32_t stopped = clock_us();  // what has waited takes its time now, which does not count
+    if (frames_due) frames_due();
+    edge_found();
+    last = *io.in & io.mask;
+    begun += clock_us() - stopped;
+  }
+  end_timed_input();
   return edges;
 }
 
