@@ -101,6 +101,10 @@ def test_what_only_a_run_shows_is_told(name: str, rules: list[str]) -> None:
         ("void (*f)(int)=high; int main(void){while(1){f(3); f=pause; f(5);}}", {3, 5}, ["RS327"]),
         ("void (*f)(int)=high; int main(){while(1){f(3); f=pause; f(5);}}", {3, 5}, ["RS327"]),
         ("void act(void(*f)(int),int p){f(p);} int main(){act(high,3); pause(5); while(1) act(&low,4);}", {3, 4}, []),
+        ("struct L{int pin;L(int p):pin{p}{}void on(){high(pin);}}; int main(){L a{3}; while(1) a.on();}", {3}, []),
+        ("struct L{int pin[2];L():pin{3,4}{}void on(){high(pin[1]);}}; L a; int main(){while(1) a.on();}", {3, 4}, []),
+        ("int a[]={3,4}; int main(){while(1) for(int p:a) high(p);}", {3, 4}, []),
+        ("int a[]={3,4}; int main(){for(auto&p:a) p++; while(1) for(int p:a) high(p);}", {3, 4}, ["RS327"]),
         ("struct s{char a,b;}; int main(){s x={3,4}; char*p=(char*)&x; while(1) high(p[1]);}", set(), ["RS327"]),
     ],
 )  # fmt: skip
