@@ -12,6 +12,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
 from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, names_its_ports, negative_uses_of, pin_uses_of
+from robosmi.transformations.queries.flows.pointed_calls import called_name
 from robosmi.transformations.queries.flows.pointers import pointed_functions
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.waiting_calls import lacks_pin, ports_of_runs_bound
@@ -82,7 +83,7 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     view = m.view(u)
     flows = [flow for flow in m.plan.portFlows if flow.anything and not lacks_pin(flow)]
     calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
-    yield from ((f"'{call.calleeName}'", call) for call in calls if not names_its_ports(call, view))
+    yield from ((f"'{called_name(call)}'", call) for call in calls if not names_its_ports(call, view))
     used = ExpandedCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
     places = {int(change.startOffset) for flow in flows if not flow.calls for change in flow.changes if change.unit is u}
     macros = [c for c in u.macros if str(c.name) in used and any(c.startOffset <= at < c.endOffset for at in places)]
@@ -96,7 +97,7 @@ def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
     """A port that a macro passes to a platform function has a place in the text where its pin can be looked up."""
     calls = [c for flow in the_move().plan.portFlows if lacks_pin(flow) for c in flow.calls]
     here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
-    names = ", ".join(dict.fromkeys(f"'{call.calleeName}'" for call in here))
+    names = ", ".join(dict.fromkeys(f"'{called_name(call)}'" for call in here))
     wrong = f"macros pass {names} a port inside a longer text, so its pin cannot be looked up"
     return not here or Fail(f"{wrong}: these calls get no pin ({in_lines(here)})", places=tuple(here))
 

@@ -130,13 +130,15 @@ def normalised_label(name: str, numbered: bool = True) -> str:
             return f"GPIO{int(gpio[1])}"
         silk = _SILK.match(text)
         return f"{(silk[1] or 'D').upper()}{silk[2] or silk[3]}" if silk else text
+    analog_first = False
     for word in re.split(r"[ /_]", text):
         if digital := _DIGITAL.fullmatch(word):
-            return f"D{int(digital[1])}"
+            return f"{'A' if analog_first else 'D'}{int(digital[1])}"
         if analog := _ANALOG.fullmatch(word):
             return f"A{int(analog[1])}"
         if not _BEFORE.fullmatch(word) and word.upper() not in _BUS_WORDS:
             break
+        analog_first = analog_first or word.lower() == "analog"
     return _SERIAL.get(text.lower(), "")
 
 

@@ -69,9 +69,14 @@ def _first_rule(part: Part, project: Path | None) -> tuple[RoleRule, str] | None
     about = f"{_without_remarks(part.title)} / {part.family}"
     for known in role_rules(project):
         for number, clue in _clues(part, known, names(project)):
-            forbidden = known.forbidden[number]
+            rule, forbidden = known.rules[number], known.forbidden[number]
+            if rule["role"] == "Board" and len(part.connectors) in (
+                1,
+                2,
+            ):  # named after its library
+                continue
             if forbidden is None or about not in forbidden:
-                return known.rules[number], clue
+                return rule, clue
     return None
 
 

@@ -461,6 +461,7 @@ LEAST_PINS = 6
 _SPELLED = re.compile(r"[^a-z0-9]+")
 _OVERLINE = re.compile(r"[!*~{}]")
 _ANALOG_INPUT = re.compile(r"(?<![A-Z0-9])AIN ?([0-9]{1,2})(?![0-9])")
+_SERIAL_LINE = re.compile(r"[RT]XD?[01]")
 _COUNTED = re.compile(r"@[0-9A-Z]*$|\.[0-9]+$")
 
 
@@ -536,4 +537,6 @@ def _label(name: str, labels: set[str], aliases: Mapping[str, str]) -> str:
     if label not in labels:
         label = aliases.get(label, "")
     known = {**aliases, **own}
+    if not label and _SERIAL_LINE.fullmatch(text.upper()):  # RX1 of a board with several serial ports is known by now
+        label = known.get(text[:2].upper(), "")
     return label or next((known[word.upper()] for word in words if word.upper() in known), "")

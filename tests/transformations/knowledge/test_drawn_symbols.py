@@ -43,6 +43,17 @@ def test_pins_bear_the_labels_of_the_board_and_need_no_aliases(labels: list[str]
     assert found.pins == {f"{number}": label for number, label in enumerate(labels)}
 
 
+@pytest.mark.parametrize(
+    ("board", "wanted"),
+    [("Arduino Nano", {"RX1": "D0", "TX0": "D1"}), ("Arduino Mega 2560", {"RX1": "D19", "TX0": "D1"})],
+)
+def test_lines_of_the_only_serial_port_bear_any_number(board: str, wanted: dict[str, str]) -> None:
+    drawn = {name: name for name in ("ANALOG_1", "DIGITAL_10(PWM)", "D2", "D3", *wanted)}
+    found = drawn_symbol([board], drawn)
+    assert found is not None
+    assert found.pins == {"ANALOG_1": "A1", "DIGITAL_10(PWM)": "D10", "D2": "D2", "D3": "D3", **wanted}
+
+
 def test_a_part_of_a_schematic_is_the_board_that_names_its_id(labels: list[str], tmp_path: Path) -> None:
     builder = CircuitBuilder("robot.mine", "mine", tmp_path)
     pins = {pin: pin for pin in (*labels, "GND")}

@@ -100,6 +100,12 @@ def test_what_only_a_run_shows_is_told(name: str, rules: list[str]) -> None:
         ("struct L{int pin;}; int main(){L a{3}; high(a.pin); L*b=new L{4}; while(1) high(b->pin);}", {3, 4}, []),
         ("struct L{int pin;}; L made(){return{4};} int main(){L a{3}; high(a.pin); while(1) high(made().pin);}", {3, 4}, []),
         ("void (*f)(int)=high; int main(void){while(1){f(3); f=pause; f(5);}}", {3, 5}, ["RS327"]),
+        ("void (*f)(int)=high; int main(){while(1){f(3); f=pause; f(5);}}", {3, 5}, ["RS327"]),
+        ("void act(void(*f)(int),int p){f(p);} int main(){act(high,3); pause(5); while(1) act(&low,4);}", {3, 4}, []),
+        ("struct L{int pin;L(int p):pin{p}{}void on(){high(pin);}}; int main(){L a{3}; while(1) a.on();}", {3}, []),
+        ("struct L{int pin[2];L():pin{3,4}{}void on(){high(pin[1]);}}; L a; int main(){while(1) a.on();}", {3, 4}, []),
+        ("int a[]={3,4}; int main(){while(1) for(int p:a) high(p);}", {3, 4}, []),
+        ("int a[]={3,4}; int main(){for(auto&p:a) p++; while(1) for(int p:a) high(p);}", {3, 4}, ["RS327"]),
         ("struct s{char a,b;}; int main(){s x={3,4}; char*p=(char*)&x; while(1) high(p[1]);}", set(), ["RS327"]),
     ],
 )  # fmt: skip
@@ -131,3 +137,13 @@ def test_registers_that_are_put_back_change_only_what_is_put_in() -> None:
     program = next(path for path in PROGRAMS if path.stem == "register_table")
     plan = robosmi.plan_migration([program]).plan
     assert {b.sourcePin for b in plan.portBindings} == {0, 1, 2}
+
+
+def test_a_call_through_a_pointer_is_named_by_what_holds_the_pointer(tmp_path: Path) -> None:
+    program = tmp_path / "program.c"
+    program.write_text(
+        '#include "simpletools.h"\nstruct s { void (*go)(int); } t = {high}; void (*acts[])(int) = {high, low};\n'
+        'int main() { int n; scan("%d", &n); while (1) { acts[1](n); t.go(n); } }\n'
+    )
+    (finding,) = [f for f in robosmi.plan_migration([program]).plan.findings if f.rule == "RS327"]
+    assert "'acts', 'go'" in finding.message

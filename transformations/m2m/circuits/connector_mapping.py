@@ -165,7 +165,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None
-        reached = walk(nets, signal_nets.__contains__, board)
+        reached = [one for one in walk(nets, signal_nets.__contains__, board) if not _supplies_beyond(one)]
         if reached and target is not None and pin is None:
             state.report(
                 "RS223",
@@ -183,6 +183,16 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
                     "give its role in robosmi.toml under [roles]",
                     model_index=one.component.elementId,
                 )
+
+
+def _supplies_beyond(reached: ReachedComponent) -> bool:
+    """Whether a path through resistors ends at the supply of a part with signals of its own: a divider measures that supply."""
+    others = (c for c in reached.component.connectors if c not in reached.connectors)
+    return (
+        bool(reached.via)
+        and all(connector.kind in _SUPPLIES for connector in reached.connectors)
+        and any(connector.net is not None and connector.kind not in _SUPPLIES for connector in others)
+    )
 
 
 def _report_joined(board: hardware.Component, pins: Mapping[str, list[hardware.Connector]], state: _State) -> None:

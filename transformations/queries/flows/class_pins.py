@@ -33,8 +33,7 @@ def follows_argument(classes: Classes, made: Element | None, position: int, view
     if isinstance(made, ccode.ConstructorCall):
         name, count = str(made.className), len(made.arguments)
     elif isinstance(made, ccode.MemberInitializer):
-        record = classes.around(made)
-        field = next((f for f in record.fields if f.name == made.name), None) if record is not None else None
+        field = classes.initialised(made)
         name, count = str(made.name) if field is None else type_name(field.valueType), len(made.arguments)
         if field is not None and count == 1 and not classes.is_visible(name) and not constructor_pins(classes, name, view):
             return True

@@ -91,6 +91,11 @@ class Classes:
         function = ancestor_of_kind(element, ccode.Function)
         return self._class_of(function) if function is not None else None
 
+    def initialised(self, initial: ccode.MemberInitializer) -> ccode.Field | None:
+        """The member that a constructor initialises; None for a base class."""
+        record = self.around(initial)
+        return next((f for f in record.fields if f.name == initial.name), None) if record is not None else None
+
     def _class_of(self, function: ccode.Function) -> ccode.Record | None:
         around = function.eContainer()
         if isinstance(around, ccode.Record):

@@ -18,7 +18,7 @@ from robosmi.transformations.queries.flows.class_pins import constructor_pins, m
 from robosmi.transformations.queries.flows.classes import Classes, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
-from robosmi.transformations.queries.flows.listed_values import designates, listed_types
+from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
@@ -213,14 +213,10 @@ class FlowReader:
         if member.object is None:  # of the object that a method is called for
             record = self.classes.around(member)
             if record is not None and any(field.name == member.name for field in record.fields):
-                return self._own_field(str(member.name), record)
+                return self._field(str(member.name), record_key(record))
             return self._once(self._field(str(member.name), None), f"'{member.name}' is a member of another class")
         whole = whole_of_member(member)
         return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
-
-    def _own_field(self, name: str, record: ccode.Record) -> Hashable:
-        """The key of a class's member."""
-        return self._field(name, record_key(record))
 
     def _field(self, name: str, record: Hashable | None) -> Hashable:
         """The key of a record's member; a member of an unknown record is joined with all members of its name."""
@@ -342,9 +338,10 @@ class FlowReader:
                 self._default_member(element)
             elif isinstance(element, ccode.Record) and element.recordKind is ccode.RecordKind.unionType:
                 self._one_place(element)
-            elif isinstance(element, ccode.For) and element.range is not None:
-                for declaration in element.declaration.declarations if element.declaration is not None else ():
-                    self.flows.freeze(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
+            elif isinstance(element, ccode.For) and element.range is not None and element.declaration is not None:
+                why = f"line {element.line} goes through a range with it"
+                for key in map(self.key, element.declaration.declarations):
+                    self._give(key, element.range) if gone_through(element) else self.flows.freeze(key, why, computed=True)
 
     def _give(self, taker: Hashable, expression: ccode.Expression | None) -> None:
         """Join the flow of a thing with that of an expression which it is given."""
@@ -406,14 +403,14 @@ class FlowReader:
 
     def _initial_member(self, initial: ccode.MemberInitializer, view: CodeView) -> None:
         """Give a member the value that a constructor initialises it with; a base class is constructed with it."""
-        record = self.classes.around(initial)
-        field = next((f for f in record.fields if f.name == initial.name), None) if record is not None else None
+        field = self.classes.initialised(initial)
         kind = str(initial.name) if field is None else type_name(field.valueType)
         arguments = list(initial.arguments)
         if field is None or self.classes.constructors(kind, len(arguments)) or constructor_pins(self.classes, kind, view):
             self._constructed(kind, arguments, initial, view)
-        elif record is not None and len(arguments) == 1:
-            self._give(self._own_field(str(field.name), record), arguments[0])
+        elif len(arguments) == 1:
+            for value in leaves(arguments[0]):
+                self._give(self._field(str(field.name), record_key(field.eContainer())), value)
 
     def _default_member(self, field: ccode.Field) -> None:
         """Give a member the value that its class declares it with."""
@@ -437,6 +434,8 @@ class FlowReader:
         """
         around = values.eContainer()
         inside = isinstance(around, ccode.Assignment) and isinstance(around.eContainer(), ccode.InitializerList)
+        member = self.classes.initialised(around) if isinstance(around, ccode.MemberInitializer) else None
+        inside |= member is not None and record_of(member.valueType) is None  # pin{p}
         if inside or isinstance(around, (ccode.Variable, ccode.InitializerList)) or not values.elements:
             return
         types = listed_types(values, self.classes, self.sources, self.called)

@@ -9,6 +9,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.classes import Classes
+from robosmi.transformations.queries.initialisers import record_of
 
 
 def listed_types(
@@ -55,3 +56,10 @@ def designates(member: ccode.Member) -> bool:
     while isinstance(outer, (ccode.Member, ccode.Index)):
         inner, outer = outer, outer.eContainer()
     return isinstance(outer, ccode.Assignment) and outer.left is inner and isinstance(outer.eContainer(), ccode.InitializerList)
+
+
+def gone_through(loop: ccode.For) -> ccode.Variable | None:
+    """The array of numbers that a loop over a range goes through; None for any other range."""
+    array = loop.range.target if isinstance(loop.range, ccode.NameReference) else None
+    use = array.valueType if isinstance(array, ccode.Variable) else None
+    return array if use is not None and use.arrayDims and record_of(use) is None else None

@@ -22,6 +22,21 @@ def is_pointed(call: ccode.Call) -> bool:
     return call.calleeExpression is not None and not isinstance(named, (ccode.Function, ccode.ExternalSymbol))
 
 
+def called_name(call: ccode.Call) -> str:
+    """The name that a call is written with: of the function, or of the variable, array or member that holds a pointer to it."""
+    called = call.calleeExpression
+    while called is not None:
+        if isinstance(called, (ccode.NameReference, ccode.Member)):
+            return str(called.name)
+        if isinstance(called, ccode.Index):
+            called = called.array
+        elif isinstance(called, (ccode.Cast, ccode.Unary)):
+            called = called.operand
+        else:
+            break
+    return str(call.calleeName or "a function pointer")
+
+
 def _named(expression: ccode.Expression | None) -> ccode.Declaration | None:
     return expression.target if isinstance(expression, ccode.NameReference) else None
 

@@ -12,6 +12,7 @@ from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.class_pins import follows_argument, method_pins
 from robosmi.transformations.queries.flows.flow_reader import FlowReader
+from robosmi.transformations.queries.flows.listed_values import gone_through
 from robosmi.transformations.queries.flows.pointers import gives_access
 from robosmi.transformations.queries.numbers import COMPARISONS
 
@@ -62,6 +63,8 @@ class ValueUses:
     def _why_kept(self, expression: ccode.Expression, parent: Element | None, view: CodeView) -> str:
         kind = type(parent).__name__
         if kind in _HARMLESS or (isinstance(parent, ccode.Index) and parent.array is expression):
+            return ""
+        if isinstance(parent, ccode.For) and parent.range is expression and gone_through(parent) is not None:
             return ""
         name = f"'{expression.name}'" if isinstance(expression, ccode.NameReference) else "it"
         line = f"(line {expression.line})"

@@ -220,6 +220,24 @@ def test_a_net_that_is_called_like_a_supply_is_a_rail(name: str, reached: bool, 
     assert pins(path) == ({"D2": "LED1"} if reached else {})
 
 
+def test_a_divider_measures_the_supply_of_a_driver_and_not_the_driver(tmp_path: Path) -> None:
+    libraries = [
+        device("ARDUINO_UNO", UNO), device("R", TWO, "Resistor"), device("LED", [("+", "pas"), ("-", "pas")], "LED"),
+        device("L293D", [("1A", "in"), ("VCC2", "pwr")]),
+    ]  # fmt: skip
+    parts = [part("U1", "ARDUINO_UNO"), part("R1", "R"), part("IC1", "L293D"), part("R2", "R"), part("LED1", "LED")]
+    nets = [net("A", "U1.A0", "R1.1"), net("B", "R1.2", "IC1.VCC2"), net("C", "U1.D5", "IC1.1A")]
+    nets += [net("D", "U1.D2", "R2.1"), net("E", "R2.2", "LED1.+")]
+    assert pins(schematic(tmp_path, libraries, parts, nets)) == {"D2": "LED1", "D5": "IC1"}
+
+
+def test_a_resistor_whose_symbol_is_named_after_a_board_is_no_board(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("ESP32_WROVER_R", TWO, "RESISTOR"), device("LED", TWO, "LED")]
+    parts = [part("U1", "ARDUINO_UNO"), part("R1", "ESP32_WROVER_R"), part("LED1", "LED")]
+    path = schematic(tmp_path, libraries, parts, [net("A", "U1.D9", "R1.1"), net("B", "R1.2", "LED1.1")])
+    assert pins(path) == {"D9": "LED1"}
+
+
 def test_solder_jumpers_are_not_crossed(tmp_path: Path) -> None:
     parts = [part("U1", "ARDUINO_UNO"), part("SJ1", "SJ"), part("LED1", "LED")]
     libraries = [device("ARDUINO_UNO", UNO), device("SJ", TWO, "Solder jumper"), device("LED", TWO, "LED")]

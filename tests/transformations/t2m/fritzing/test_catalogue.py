@@ -248,7 +248,7 @@ def test_parts_that_are_boards() -> None:
     ("written", "label"),
     [
         *[(text, "D9") for text in ("D9 PWM", "~9", "9", "IO9", "D9")],
-        *[(text, "A4") for text in ("A4/SDA", "AD4/SDA", "A4")],
+        *[(text, "A4") for text in ("A4/SDA", "AD4/SDA", "A4", "ANALOG_4", "Analog 4")],
         *[(text, "D0") for text in ("D0/RX", "D0RX", "RX-I", "D0 RX0")],
         *[("D10 PWM/SS", "D10"), ("TX-O", "D1"), ("D4/A6", "D4"), ("Pin 13", "D13"), ("D16 PWM/TX2", "D16")],
         *[

@@ -126,7 +126,7 @@ class Prelude:
         elif own.get(name) == "function":  # used as a value before it is declared
             self.values[name] = f"int {name}({self._any});"
         elif self.cxx and name in uses.called and name not in uses.scopes and not uses.as_type(name):
-            self.values[name] = self._function_of_cxx(name)
+            self.values[name] = self._function_of_cxx(name, uses)
         elif name in ("va_start", "va_arg", "va_end", "va_copy"):
             self.standard[name] = "#include <stdarg.h>"
         elif name in STANDARD_NAMES:
@@ -158,8 +158,10 @@ class Prelude:
         """The parameter list of a function that accepts any arguments."""
         return "..." if self.cxx else ""
 
-    def _function_of_cxx(self, name: str) -> str:
+    def _function_of_cxx(self, name: str, uses: _Uses) -> str:
         found = self.platform.entries(name)
+        if found and found[0].kind == "function" and uses.as_value(name) and _plain_parameters(found[0].parameters):
+            return f"{self.platform.signature(name, found[0])};"  # a pointer takes no function of another type
         result = found[0].detail if found and found[0].kind == "function" else "int"
         plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in re.findall(r"\w+", result))
         return f"{result if plain and result else 'int'} {name}(...);"
@@ -182,7 +184,7 @@ class Prelude:
                 return f"extern struct {MEMBERS} {'*' if access == '->' else ''}{name};"
             return f"extern {base if plain else 'int'} {name}{'[]' if entry.detail.endswith('[]') else ''};"
         if entry.callable:
-            return f"int {name}({self._any});"
+            return self._function_of_cxx(name, uses) if self.cxx else f"int {name}();"
         if uses.written(name):
             return None
         return f"enum {{ {name} = {self._number()} }};"
@@ -343,6 +345,10 @@ class _Uses:
             count += 1
         return count, place
 
+    def as_value(self, name: str) -> bool:
+        """Whether the name is used without a call, as a function is that a pointer gets."""
+        return self._any(name, lambda t, i: t[i + 1] not in ("(", ":") and t[i - 1] not in (".", "->"))
+
     def dereferenced(self, name: str) -> bool:
         """Whether the value that the name points to is used."""
         return self._any(name, lambda t, i: i > 1 and t[i - 1] == "*" and t[i - 2] in _BEFORE_DEREFERENCE)
@@ -366,6 +372,13 @@ _BEFORE_OPERAND = frozenset(
 
 _BEFORE_DEREFERENCE = (_BEFORE_OPERAND - {")", "*", "&"}) | {"}", "+=", "-="}
 """What stands before a `*` that is no multiplication and belongs to no declaration."""
+
+
+def _plain_parameters(parameters: str) -> bool:
+    """Whether the types in a list of parameters are those of the language, so that nothing else has to be declared."""
+    types = [each.replace("*", " * ").split() for each in parameters.strip("()").split(",")]
+    named = ((each[:-1] if len(each) > 1 and _word(each[-1]) and each[-1] not in TYPE_WORDS else each) for each in types)
+    return all(word in TYPE_WORDS or word in QUALIFIERS or word in ("*", "...") for each in named for word in each)
 
 
 def _word(text: str) -> bool:
