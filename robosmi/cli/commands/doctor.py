@@ -90,6 +90,7 @@ PACKAGES = {
 
 
 OPTIONAL = {
+    "pygls": ("pygls.lsp.server", "editors", "lsp", "robosmi lsp: findings, completions and choices in an editor"),
     "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: serve the commands as tools for assistants, confined to one folder"),
     "SQLAlchemy": (
         "sqlalchemy",
