@@ -50,6 +50,8 @@ def run(arguments: _Arguments) -> Report:
     report.result = {"restored": done.restored, "removed": done.removed}
     report.lines = [f"restored in {arguments.output}:", *(f"  {name}" for name in done.restored)]
     report.lines += [f"  {name} (removed)" for name in done.removed]
+    if (arguments.output / "models").is_dir():
+        report.next = command_line("open", arguments.output)
     return report
 
 
