@@ -16,7 +16,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs, resources
-from robosmi.base.data_text import Json, as_table, as_text, data_toml, line_of_key, toml_of
+from robosmi.base.data_text import Json, as_table, as_text, data_toml, line_of_error, line_of_key, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 
@@ -90,7 +90,8 @@ class Project(Struct, frozen=True):
         return {key: Location(str(self.path), lines.get(key)) for key in keys}
 
 
-_TABLES = ("migrate", "libraries", "bind", "roles", "servos", "rank", "severity", "accept")
+TABLES = ("migrate", "libraries", "bind", "roles", "servos", "rank", "severity", "accept")
+"""The tables of a project file."""
 _SERVO = ("neutral", "speeds")
 POINTS = 64
 """Limit on the measured points of a servo; each takes four bytes of the program."""
@@ -98,8 +99,10 @@ PULSES = (500, 2500)
 """The shortest and longest pulse width for servos, in microseconds."""
 LONGEST_WAIT_MS = 600_000
 """Limit on the wait for a console."""
-_MIGRATE = ("hardware", "target", "source_platform", "from", "console_wait_ms")
-_RANK = ("ranker",)
+MIGRATE = ("hardware", "target", "source_platform", "from", "console_wait_ms")
+"""The keys of [migrate]."""
+RANK = ("ranker",)
+"""The keys of [rank]."""
 
 
 def project_of(first: Path) -> Project:
@@ -128,8 +131,9 @@ def load_project(folder: Path) -> Project:
         fix = inputs.fix_of(error, "put an ordinary file in its place, check its permissions, or move it away")
         raise SourceError(f"the project file cannot be read: {why}", location=Location(str(path)), fix=fix) from error
     except ValueError as error:
+        line = None if isinstance(error, UnicodeDecodeError) else line_of_error(error, text)
         raise SourceError(
-            f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)"
+            f"the project file cannot be read: {error}", location=Location(str(path), line), fix="correct it (TOML 1.0)"
         ) from error
     return _project(path, text, data)
 
@@ -146,14 +150,14 @@ def project_in(path: Path, text: str) -> Project:
 
 def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
     folder = path.parent
-    outside = next((key for key in data if key in _MIGRATE), None)
+    outside = next((key for key in data if key in MIGRATE), None)
     if outside is not None:
         raise _wrong(path, f"'{outside}' stands in no table", f"write [migrate] above the line with '{outside}'")
-    _known(path, data, _TABLES, "table")
+    _known(path, data, TABLES, "table")
     migrate = _table(path, data, "migrate", text)
-    _known(path, migrate, _MIGRATE, "key in [migrate]")
+    _known(path, migrate, MIGRATE, "key in [migrate]")
     rank = _table(path, data, "rank", text)
-    _known(path, rank, _RANK, "key in [rank]")
+    _known(path, rank, RANK, "key in [rank]")
     severity = _table(path, data, "severity", text)
     for rule, level in severity.items():
         if level not in LEVELS:

@@ -82,7 +82,7 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "robosmi/query": {"": (), "rules": ("",)},
     "robosmi/verify": {"toolchains": (), "": ("toolchains",), "uploads": ("toolchains",), "traces": ("",)},
-    "transformations/chains": {"stages": (), "": ("stages",)},
+    "transformations/chains": {"stages": (), "": ("stages",), "editing": ("", "stages")},
     "transformations/knowledge": {
         "": (),
         "adapters": ("",),

@@ -43,6 +43,7 @@ _CONTENT = {
     ("chain", "choose"): "chains.choose:choose",
     ("chain", "generate"): "chains.generate:generate",
     ("chain", "page"): "chains.page:PlanPage",
+    ("chain", "editor"): "chains.editing.editor:Editor",
     ("chain", "report_page"): "chains.page:report_page",
     ("chain", "check"): "chains.check:check",
     ("chain", "corpus_programs"): "chains.corpus:programs",

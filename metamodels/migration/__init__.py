@@ -226,6 +226,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
         containment=True,
     )
     """Which library drives which component."""
+    ownLibraries: MutableSequence[Library] = EReference(upper=-1)
+    """The libraries whose headers a person has included in the generated program."""
     adapterUses: MutableSequence[AdapterUse] = EReference(upper=-1, containment=True)
     """The platform functions that are called, and how each is adapted."""
     symbolUses: MutableSequence[SymbolUse] = EReference(upper=-1, containment=True)
@@ -275,6 +277,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             motorChannels: Iterable[MotorChannel] | None = None,
             portFlows: Iterable[PortFlow] | None = None,
             libraryChoices: Iterable[LibraryChoice] | None = None,
+            ownLibraries: Iterable[Library] | None = None,
             adapterUses: Iterable[AdapterUse] | None = None,
             symbolUses: Iterable[SymbolUse] | None = None,
             helpers: Iterable[Adapter] | None = None,
@@ -1121,6 +1124,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.motorChannels.eType = MotorChannel
     MigrationPlan.portFlows.eType = PortFlow
     MigrationPlan.libraryChoices.eType = LibraryChoice
+    MigrationPlan.ownLibraries.eType = Library
     MigrationPlan.adapterUses.eType = AdapterUse
     MigrationPlan.symbolUses.eType = SymbolUse
     MigrationPlan.helpers.eType = Adapter

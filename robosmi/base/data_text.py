@@ -67,6 +67,14 @@ def toml_of(text: str | bytes) -> dict[str, Json]:
         return tomllib.loads(text)
 
 
+def line_of_error(error: Exception, text: str) -> int | None:
+    """The line at which the reader of TOML stopped; None where it does not say."""
+    if str(error).endswith("(at end of document)"):
+        return text.rstrip("\n").count("\n") + 1
+    found = re.search(r"\(at line (\d+), column \d+\)\Z", str(error))
+    return int(found[1]) if found is not None else None
+
+
 def data_toml(text: str) -> dict[str, Json]:
     """The value of a TOML text that every run reads, such as a file of the platform repository.
 

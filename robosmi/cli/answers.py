@@ -13,6 +13,7 @@ from typing import Any, Protocol
 from robosmi.api import Analysed, MigratedSketch
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding
+from robosmi.errors import RobosmiError
 from robosmi.project import Project
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.verdict import Verdict
@@ -129,3 +130,60 @@ class ChosenSketch(MigratedSketch, Protocol):
     @property
     def settings(self) -> Project:
         """The settings of its project."""
+
+
+class ExaminedText(Protocol):
+    """What the commands say of a text."""
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """Findings and tasks."""
+
+    @property
+    def errors(self) -> Sequence[RobosmiError]:
+        """What would stop a command."""
+
+
+class SuggestedText(Protocol):
+    """A word that may stand at a place, and what it means."""
+
+    @property
+    def text(self) -> str:
+        """As it is inserted."""
+
+    @property
+    def detail(self) -> str:
+        """What it means."""
+
+
+class AnsweredChoice(Protocol):
+    """An answer to a choice."""
+
+    @property
+    def title(self) -> str:
+        """What it does."""
+
+    @property
+    def best(self) -> bool:
+        """Whether nothing fits better."""
+
+    @property
+    def text(self) -> str:
+        """The project file with the answer."""
+
+
+class EditedTexts(Protocol):
+    """The texts that a person edits."""
+
+    @property
+    def texts(self) -> dict[Path, str]:
+        """The texts by the paths of their files."""
+
+    def examine(self, path: Path) -> ExaminedText:
+        """What the commands say of a text."""
+
+    def suggestions(self, path: Path, line: int, column: int) -> tuple[int, Sequence[SuggestedText]]:
+        """The column from which a line is replaced, and what may stand there."""
+
+    def answers(self, path: Path, line: int) -> Sequence[AnsweredChoice]:
+        """The answers to the choice in a line of a project file, or to all open ones."""

@@ -96,6 +96,7 @@ GROUPS = {
     "setup": {
         "doctor": "report what is installed and what is missing",
         "trust": "allow a folder's own code to run",
+        "lsp": "serve editors: findings, completions and choices while you type",
         "mcp": "serve the commands as tools for assistants, confined to one folder",
         "completion": "print a completion script for bash, zsh or fish",
     },
@@ -276,8 +277,7 @@ def _run(parsed: _Parsed) -> int:
 
 
 def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sarif: Path | None) -> int:
-    rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
-    finding = Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
+    finding = as_finding(error)
     plugins = plugin_findings()  # what is missing may be what one of them was to bring
     if sarif is not None:
         sarif_file.write_failure(command or "robosmi", [finding, *plugins], sarif, error.exit_code)
@@ -290,7 +290,7 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
         with suppress(SourceError):  # the message below has to do
             _print_json(document)
     place = f"{error.location}: " if error.location else ""
-    streams.complain(_lines(f"robosmi: error: {place}{error.message} [{rule}]"))
+    streams.complain(_lines(f"robosmi: error: {place}{error.message} [{finding.rule}]"))
     if error.fix:
         streams.complain(_lines(f"  do: {error.fix}"))
     for each in plugins:
@@ -344,12 +344,19 @@ EXAMPLES = {
     "metamodels": "robosmi metamodels generate library.ecore -o packages",
     "targets": "robosmi targets",
     "trust": "robosmi trust .",
+    "lsp": "robosmi lsp",
     "mcp": "robosmi mcp --root my-robot",
     "explain": "robosmi explain RS311",
     "doctor": "robosmi doctor",
     "completion": "robosmi completion bash > ~/.local/share/bash-completion/completions/robosmi",
 }
 """Command -> a command line of it."""
+
+
+def as_finding(error: RobosmiError) -> Finding:
+    """An error as a finding."""
+    rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
+    return Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
 
 
 def as_error(error: BaseException) -> RobosmiError:

@@ -25,7 +25,7 @@ from typing import Any
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.base.data_text import toml_of
+from robosmi.base.data_text import line_of_error, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.quoting import toml
@@ -38,7 +38,8 @@ POINTS = "points"
 """The setting of a device that a signal without further names is."""
 LARGEST = 1e12
 """The largest number that a signal takes; infinite ones and those that are none are larger than any."""
-_KEYS = ("name", "horizon_ms", "stored", "signals")
+KEYS = ("name", "horizon_ms", "stored", "signals")
+"""The keys of a scenario."""
 _LAST_ADDRESS = 0xFFFF
 
 
@@ -83,15 +84,18 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
     Raises:
         SourceError: it cannot be read, or says what means nothing.
     """
+    text = ""
     try:
-        data = toml_of(inputs.read_text(path, inputs.SETTINGS))
+        text = inputs.read_text(path, inputs.SETTINGS)
+        data = toml_of(text)
     except (OSError, ValueError) as error:
         why = error.strerror if isinstance(error, OSError) and error.strerror else error
         fix = "give a readable file" if isinstance(error, OSError) else "correct it (TOML 1.0)"
-        raise SourceError(f"the scenario cannot be read: {why}", location=Location(str(path)), fix=fix) from error
+        place = Location(str(path), line_of_error(error, text))
+        raise SourceError(f"the scenario cannot be read: {why}", location=place, fix=fix) from error
     for key in data:
-        if key not in _KEYS:
-            raise _wrong(path, f"'{key}' is not a key of a scenario{did_you_mean(key, _KEYS)}", f"use: {', '.join(_KEYS)}")
+        if key not in KEYS:
+            raise _wrong(path, f"'{key}' is not a key of a scenario{did_you_mean(key, KEYS)}", f"use: {', '.join(KEYS)}")
     horizon: Any = data.get("horizon_ms")
     if not _is_number(horizon) or not 0 < horizon <= LONGEST_MS:
         told = "horizon_ms, the scenario's duration, is missing" if horizon is None else f"horizon_ms is {horizon!r}"

@@ -5,7 +5,7 @@
   const by = id => document.getElementById(id), section = by("watch");
   if (!section || !("live" in document.body.dataset)) return;
   const FIRST = 5000, LONGEST = 60000, SIDES = ["original", "migrated"], QUIET = 1500, tab = crypto.randomUUID();
-  let run = null, at = 0, playing = false, before = 0, asking = 0, compareLater = 0, sound = null;
+  let run = null, at = 0, playing = false, before = 0, asking = 0, loading = 0, compareLater = 0, sound = null;
 
   async function ask(about) {
     const reply = await fetch("watch", { method: "POST", headers: { "Content-Type": "application/json" }, cache: "no-store", body: JSON.stringify(about) });
@@ -26,13 +26,17 @@
   async function load(about, compare = false) {
     const mine = ++asking;
     clearTimeout(compareLater);
-    if (!compare) say(run ? "Simulating ..." : "Compiling and simulating both programs ...", "busy");
+    if (!compare) {
+      say(run ? "Simulating ..." : "Compiling and simulating both programs ...", "busy");
+      loading = mine;
+    }
     let answer;
     try {
       answer = await ask({ ...about, compare, tab, number: mine });
     } catch {
       answer = { state: "refused", message: "The server does not answer. Run robosmi open again and use its new page." };
     }
+    if (loading === mine) loading = 0;
     if (mine !== asking || answer.state === "superseded") return false; // another input was moved meanwhile
     if (answer.state !== "done") {
       say(answer.message, "refused");
@@ -55,7 +59,8 @@
 
   function described() {
     const speed = run.seconds > 0 ? ` (${(run.ms / 1000 / run.seconds).toFixed(1)} times real time)` : "";
-    const engine = `${run.engine} simulated ${(run.ms / 1000).toFixed(1)} s in ${run.seconds.toFixed(1)} s${speed}.`;
+    const ends = Object.entries(run.ended).map(([side, [state, ms]]) => ` The ${side === "migrated" ? "sketch" : "original"} ${state === "crashed" ? "crashed" : "ended"} at ${ms.toFixed(1)} ms.`).join("");
+    const engine = `${run.engine} simulated ${(run.ms / 1000).toFixed(1)} s in ${run.seconds.toFixed(1)} s${speed}.${ends}`;
     if (run.why) return `${engine} ${run.why}`;
     if (!run.compared && !("verdict" in run)) return `${engine} Comparing both programs ...`;
     if (run.difference) return `${engine} First difference at ${run.difference.ms.toFixed(1)} ms, ${run.difference.channel}: ${run.difference.message}.`;
@@ -218,7 +223,7 @@
     before = now;
     at = Math.min(end, at + passed);
     show(passed);
-    if (at >= end) pause();
+    if (at >= end && !loading) pause(); // else the clock waits at the end for the longer run
     else requestAnimationFrame(frame);
   }
 

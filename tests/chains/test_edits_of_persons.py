@@ -260,9 +260,26 @@ def test_an_include_that_a_kept_body_needs_stays_when_its_component_leaves_the_d
     assert body in sketch.read_text()
     (told,) = [f for f in outcome.document["findings"] if "Servo.h" in f["message"]]
     assert "your code uses 'Servo'" in told["message"]
+    assert "- Servo (" in (out / "arm" / "sketch.yaml").read_text()
     before = tree(out)
     run("migrate", program, "-o", out)
     assert tree(out) == before
+
+
+def test_libraries_that_a_person_includes_are_in_the_project_files(arm: tuple[Path, Path]) -> None:
+    program, out = arm
+    without_servo(program)
+    run("migrate", program, "-o", out)
+    sketch, project = out / "arm" / "arm.ino", [out / "arm" / name for name in ("sketch.yaml", "platformio.ini")]
+    assert not any("Servo" in path.read_text() for path in project)
+    text = sketch.read_text()
+    sketch.write_text(f"#include <Servo.h>\n#include <EEPROM.h>\n{text}")
+    run("migrate", program, "-o", out)
+    assert all("Servo" in path.read_text() for path in project)
+    assert not any("EEPROM" in path.read_text() for path in project)  # comes with the core
+    sketch.write_text(text)
+    run("migrate", program, "-o", out)
+    assert not any("Servo" in path.read_text() for path in project)
 
 
 def test_an_include_that_nothing_needs_goes_with_its_component(arm: tuple[Path, Path]) -> None:

@@ -12,7 +12,7 @@ import pytest
 import robosmi
 from robosmi.errors import RobosmiError, SourceError, StoppedError
 from robosmi.files import run_lock
-from robosmi.generate.undo import undo
+from robosmi.generate.undo import steps, undo
 from robosmi.transformations.chains.migrate import migrate
 from tests.running import run, tree
 
@@ -47,6 +47,48 @@ def test_undo_puts_the_last_state_back_and_again_forth(twice: tuple[dict[str, st
     assert done.removed == []
     undo(out)
     assert tree(out) == second
+
+
+def test_several_runs_are_listed_and_undone_at_once(
+    twice: tuple[dict[str, str], dict[str, str], Path], program: Path, tmp_path: Path
+) -> None:
+    first, second, out = twice
+    program.write_text(FIRST.replace("high(3)", "low(9)"))
+    robosmi.migrate([program], out)
+    third = tree(out)
+    listed = run("undo", out, "--list", "--json").result["steps"]
+    assert [step["number"] for step in listed] == [1, 2, 3]
+    assert all("blink/blink.ino" in step["files"] and step["at"] for step in listed)
+    assert tree(out) == third
+    assert run("undo", out, "--steps", "4").code == 3
+    assert run("undo", out, "--steps", "0").code == 2
+    assert run("undo", out, "--steps", "2").code == 0
+    assert tree(out) == first
+    assert [step.number for step in steps(out)] == [0, 1]
+    undo(out)  # redoes both
+    assert tree(out) == third
+    undo(out)
+    undo(out, 1)  # one more
+    assert tree(out) == {}
+    undo(out)
+    assert tree(out) == third
+    assert second != third
+
+
+def test_one_run_after_another_is_undone_and_all_are_redone(
+    twice: tuple[dict[str, str], dict[str, str], Path], program: Path
+) -> None:
+    first, second, out = twice
+    undo(out, 1)
+    assert tree(out) == first
+    undo(out, 1)
+    assert tree(out) == {}
+    undo(out)
+    assert tree(out) == second
+    undo(out)
+    program.write_text(FIRST)
+    robosmi.migrate([program], out)  # a run takes the place of what could be redone
+    assert {step.number > 0 for step in steps(out)} == {True}
 
 
 def test_a_record_of_an_earlier_version_is_read(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:

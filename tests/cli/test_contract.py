@@ -279,8 +279,10 @@ def test_every_command_explains_its_options(command: str) -> None:
 def test_each_step_ends_with_the_command_that_follows(line_follower: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     steps = [("analyse", line_follower), ("migrate", line_follower, "-o", out, "--yes"), ("choose", out, "--reopen", "leftQTI")]
+    steps += [("check", out), ("undo", out), ("undo", out, "--list")]
     following = [next(line for line in reversed(run(*step).out.splitlines()) if line) for step in steps]
-    assert [line.split()[:3] for line in following] == [["next:", "robosmi", name] for name in ("migrate", "compile", "open")]
+    expected = ["migrate", "compile", "open", "compile", "open", "undo"]
+    assert [line.split()[:3] for line in following] == [["next:", "robosmi", name] for name in expected]
     assert "next: " not in run("migrate", line_follower, "-o", out, "--yes", "--json").out
     assert "next: " not in run("migrate", line_follower, "-o", out, "--yes", "--dry-run").out
 

@@ -28,7 +28,7 @@ def wanted() -> list[Requirement]:
     """The dependencies of the project, and of the extras of its users."""
     project: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     extras = project["optional-dependencies"]
-    return [Requirement(text) for text in (*project["dependencies"], *extras["database"], *extras["mcp"])]
+    return [Requirement(text) for text in (*project["dependencies"], *extras["database"], *extras["lsp"], *extras["mcp"])]
 
 
 def test_every_dependency_is_pinned_within_its_bounds() -> None:

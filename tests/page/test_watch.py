@@ -11,8 +11,9 @@ import pytest
 import robosmi
 from robosmi.project import FILE_NAME
 from robosmi.transformations.chains.page import PlanPage
-from robosmi.transformations.chains.watch import WatchedFolder, state_of
+from robosmi.transformations.chains.watch import WatchedFolder, printed, state_of
 from robosmi.verify.scenario import read_scenario
+from robosmi.verify.simulation import ConsoleByte
 from robosmi.verify.traces.activity import BURST, LEVEL, PULSES, WAVE, ActivityEvent
 from tests.page.browsers import Served
 from tests.running import run
@@ -136,6 +137,33 @@ def test_what_means_nothing_is_refused_and_nothing_is_written(about: dict[str, A
     assert answer["state"] == "refused"
     assert not (out / "models" / "scenarios").exists()
     watched.close()
+
+
+def test_a_sketch_that_crashes_is_told_with_its_time(out: Path) -> None:
+    sketch = out / "lamp" / "lamp.ino"
+    sketch.write_text(
+        sketch.read_text().replace("void loop() {", "void loop() {\n  if (millis() > 300) ((void (*)(void))0x3f00)();")
+    )
+    watched = WatchedFolder(out)
+    ended = watched.answer({"ms": 1200, "inputs": []})["ended"]
+    watched.close()
+    assert [*ended] == ["migrated"]
+    assert ended["migrated"][0] == "crashed"
+    assert 300 <= ended["migrated"][1] <= 330
+
+
+@pytest.mark.parametrize(
+    ("sent", "pieces"),
+    [
+        (b"a\nb", [[0.0, "a\n"], [0.2, "b"]]),
+        (b"a\rb\r", [[0.0, "a\n"], [0.2, "b\n"]]),
+        (b"a\r\nb", [[0.0, "a\n"], [0.3, "b"]]),
+        (b"a\n\rb", [[0.0, "a\n"], [0.2, "\n"], [0.3, "b"]]),
+        (b"", []),
+    ],
+)
+def test_each_line_of_a_console_appears_at_its_own_time(sent: bytes, pieces: list[list[Any]]) -> None:
+    assert printed([ConsoleByte(100.0 * n, byte) for n, byte in enumerate(sent)]) == pieces
 
 
 def test_a_sketch_that_does_not_compile_is_said(out: Path) -> None:

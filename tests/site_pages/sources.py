@@ -30,6 +30,7 @@ _NAVIGATION = {
         "docs/how-to/drive-motors.md",
         "docs/how-to/move-an-arduino-sketch.md",
         "docs/how-to/let-an-assistant-work.md",
+        "docs/how-to/work-in-an-editor.md",
         "docs/security.md",
     ],
     "Extend it": [

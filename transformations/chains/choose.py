@@ -27,7 +27,6 @@ from robosmi.generate.output_paths import Places
 from robosmi.generate.project_entries import ProjectChange, changed_project, displayed_path, key_of
 from robosmi.metamodels import migration
 from robosmi.project import FILE_NAME, Project, load_project
-from robosmi.query import Q
 from robosmi.transformations.chains.move import migrate_or_move
 from robosmi.transformations.chains.stages.edited_plan import STORED, refuse_unseen
 from robosmi.transformations.chains.stages.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
@@ -35,10 +34,9 @@ from robosmi.transformations.chains.stages.moving import former_output
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
 from robosmi.transformations.chains.stages.refresh_findings import refresh_findings
 from robosmi.transformations.chains.stages.sources import last_run, project_folder
+from robosmi.transformations.chains.stages.user_includes import library_of
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.knowledge.part import ROLES
-from robosmi.transformations.knowledge.platforms.target_platform import target_facts
-from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.m2m.ports.port_binding import bind_as_chosen
 from robosmi.transformations.queries.plans.answers import answer
@@ -240,7 +238,7 @@ def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str =
         assert plan.board is not None
         bind_as_chosen(decision, value, list(plan.connections), plan.board)
     elif isinstance(decision, migration.LibraryChoice):
-        decision.chosen = _library(plan, value) if value and value.lower() != NO_LIBRARY else None
+        decision.chosen = library_of(plan, value) if value and value.lower() != NO_LIBRARY else None
         decision.choice = decision.chosen.name if decision.chosen is not None else NO_LIBRARY if value else ""
     decision.open = not value
     decision.chosenBy = migration.ChosenBy.person if value else migration.ChosenBy.nobody
@@ -260,27 +258,6 @@ def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> N
             bind_as_chosen(other, "", (), plan.board)  # type: ignore[arg-type]
             other.open, other.chosenBy, other.confidence = True, migration.ChosenBy.nobody, 0.0
             other.evidence.clear()
-
-
-def _library(plan: migration.MigrationPlan, name: str) -> Any:
-    """The library element of a name in the plan, added from the library index if it is missing.
-
-    Raises:
-        UsageError: no library has that name.
-    """
-    assert plan.target is not None
-    found = Q(plan.target.libraries).select_one(lambda library: library.name == name)
-    if found is not None:
-        return found
-    assert plan.board is not None
-    facts = target_facts(plan.targetDescription.name if plan.targetDescription is not None else "")
-    if not facts.libraries:
-        raise UsageError(f"the target '{facts.target}' has no libraries to choose", fix="choose: none")
-    known = {str(library.name) for library in plan.target.libraries}
-    models = LibraryModels(facts, plan.board)
-    chosen = models.get(name)
-    plan.target.libraries.extend(library for own, library in models.elements.items() if own not in known)
-    return Q(plan.target.libraries).select_one(lambda library: library.name == chosen.name)
 
 
 def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: Path, settings: Project) -> ProjectChange:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from threading import Lock
@@ -45,7 +45,7 @@ from robosmi.transformations.verification.stubs import stubs_of
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
 from robosmi.verify.original import Original
 from robosmi.verify.scenario import POINTS, Points, Scenario, read_scenario
-from robosmi.verify.simulation import PinTrace
+from robosmi.verify.simulation import ConsoleByte, PinTrace
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.activity import BURST, IDLE, LEVEL, PULSES, WAVE, ActivityEvent
@@ -58,6 +58,9 @@ SHORTEST_MS = 100.0
 _MOST_POINTS, _MOST_INPUTS, _LONGEST_NAME = 500, 100, 60
 MOST_EVENTS = 4_000
 """Events of a channel that are sent to a page; a channel with more of them says so."""
+_ENDS = ("done", "crashed")
+"""States of a trace whose program does not run on."""
+_FEED, _RETURN = b"\n\r"
 _NAME = re.compile(r"[\w][\w .-]*")
 
 
@@ -330,6 +333,8 @@ def _shown(
 ) -> dict[str, Any]:
     """`channels` with the events of both sides, and `console` with the printed bytes of both as pieces of text.
 
+    `ended` has each side that does not run to the end of the scenario: whether it is done or crashed, and when in ms.
+
     A channel has `title`, `component`, `port`, `pins` and for each side a list of [ms, state, text, kind of event]; `turns` says
     that it is a wheel, `cut` that there are more events.
     """
@@ -353,8 +358,9 @@ def _shown(
                 "cut": any(len(events) > MOST_EVENTS for events in seen.values()),
             }
         )  # fmt: skip
-    console = {side: _printed(trace) for side, trace in traces.items()}
-    return {"channels": channels, "console": console}
+    console = {side: printed(trace.console) for side, trace in traces.items()}
+    ended = {side: [trace.state, round(trace.simulated_us / 1000, 1)] for side, trace in traces.items() if trace.state in _ENDS}
+    return {"channels": channels, "console": console, "ended": ended}
 
 
 _FULL_US, _REST_US = 200.0, 1500.0
@@ -383,14 +389,19 @@ def state_of(event: ActivityEvent, wheel: int = 0) -> str:
     return "on" if event.kind in (WAVE, BURST) else str(event)
 
 
-def _printed(trace: PinTrace) -> list[list[Json]]:
-    """What was printed, as pieces [ms, text] that begin with a line each; what is no UTF-8 is shown as U+FFFD."""
+def printed(console: Iterable[ConsoleByte]) -> list[list[Json]]:
+    """What was printed, as pieces [ms, text] that begin with a line each; what is no UTF-8 is shown as U+FFFD.
+
+    A line ends with a line feed, a carriage return or both: serial monitors of the source platforms take each for an end.
+    """
     pieces: list[tuple[float, bytearray]] = []
-    for at_us, byte in trace.console:
-        if not pieces or pieces[-1][1].endswith(b"\n"):
+    for at_us, byte in console:
+        last = pieces[-1][1][-1] if pieces else _FEED
+        if last == _FEED or (last == _RETURN and byte != _FEED):
             pieces.append((at_us, bytearray()))
         pieces[-1][1].append(byte)
-    return [[round(at_us / 1000, 3), bytes(text).decode("utf-8", "replace")] for at_us, text in pieces[:MOST_EVENTS]]
+    texts = [(at_us, bytes(text).decode("utf-8", "replace")) for at_us, text in pieces[:MOST_EVENTS]]
+    return [[round(at_us / 1000, 3), text.replace("\r\n", "\n").replace("\r", "\n")] for at_us, text in texts]
 
 
 _CONTROLS = {"level": "button", "number": "range", "whole number": "range", "text": "text"}

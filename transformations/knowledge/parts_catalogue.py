@@ -99,6 +99,11 @@ class Catalogue:
             for line, chunk in _chunks(path, changed):
                 yield from ((part_id, path) for part_id in _ids(_table(str(path), line, chunk), ""))
 
+    def titles(self) -> dict[str, str]:
+        """The titles of imported parts, each with its role."""
+        stores = [_opened(path, changed) for path, changed in self._files if path.suffix == ".sqlite"]
+        return {title: role for store in stores for title, role in store.titles() if title}
+
 
 def _files(project: Path | None) -> Iterator[Path]:
     for folder in folders("platform_repo", project):

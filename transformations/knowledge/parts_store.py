@@ -96,6 +96,12 @@ class PartsFile:
         """The identities of all parts, sorted."""
         return [row[0] for row in self._all("SELECT id FROM part ORDER BY id")]
 
+    def titles(self) -> list[tuple[str, str]]:
+        """Title and role of the parts, each title once, sorted."""
+        return [
+            (str(title), str(role)) for title, role in self._all("SELECT title, role FROM part GROUP BY title ORDER BY title")
+        ]
+
     def _part(self, row: tuple[Any, ...], known: PartNames) -> Part:
         part_id, title, family, tags, role, driver, evidence, source, facts = row
         try:

@@ -104,7 +104,7 @@ def _choice(
     def answer_row(option: Option) -> dict[str, Json]:
         wire = pins.get(option.value)
         return {
-            "value": option.value, "score": f"{option.score:.2f}" if option.score else "", "why": option.why,
+            "value": option.value, "why": option.why,
             "chosen": option.value == told.chosen, "label": label_of(option.value), "title": _on(wire) if wire else "",
             "facts": _facts(libraries[option.value]) if option.value in libraries else "", "pin": _pin(wire, option.value),
         }  # fmt: skip
@@ -112,8 +112,10 @@ def _choice(
     def label_of(value: str) -> str:
         return _part(pins[value], plan) if value in pins else _NONE[one.kind] if value == NOT_WIRED else value
 
-    ranked = [answer_row(option) for option in told.options if option.score]
-    plain = [option for option in told.options if not option.score]
+    first = [option for option in told.options[:1] if option.value == NOT_WIRED or option.score]
+    best = [*first, *(option for option in told.options[1:] if option.score)]
+    ranked = [answer_row(option) for option in best]
+    plain = [option for option in told.options if option not in best]
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told.chosen or "",
         "by": WHO[told.by], "at": told.at or "", "why": told.why, "table": how.table,

@@ -23,7 +23,8 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
     versions = {library.name: library.version for library in plan.target.libraries}
     used = {str(name) for piece in emitted(plan) for name in piece.libraries}
     included = [c.chosen for c in plan.libraryChoices if c.chosen is not None and c.included]
-    chosen = [*included, *(library for library in plan.target.libraries if library.name in used and library not in included)]
+    adapted = [library for library in plan.target.libraries if library.name in used]
+    chosen = list({id(library): library for library in (*included, *adapted, *plan.ownLibraries)}.values())
     names = list(dict.fromkeys(name for library in chosen for name in (library.name, *library.depends)))
     return {
         "board": full_name,

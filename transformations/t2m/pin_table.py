@@ -19,7 +19,7 @@ from typing import Any
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.base.data_text import toml_of
+from robosmi.base.data_text import line_of_error, toml_of
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, TooLargeError, did_you_mean
@@ -392,7 +392,8 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     try:
         table: dict[str, Any] = toml_of(text)
     except ValueError as error:
-        raise SourceError(f"not valid TOML: {error}", location=Location(str(path)), fix=_FIX) from error
+        place = Location(str(path), line_of_error(error, text))
+        raise SourceError(f"not valid TOML: {error}", location=place, fix=_FIX) from error
     if not {"pin", "board"} & table.keys():
         raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
     entries = table.get("pin", [])

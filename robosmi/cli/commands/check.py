@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from robosmi.cli.common import command_line
 from robosmi.plugins import content
 from robosmi.project import project_of
 from robosmi.report import Report
@@ -38,4 +39,6 @@ def run(arguments: _Arguments) -> Report:
     done: Analysed = content("chain", "check")(arguments.model, arguments.metamodels)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
+    if arguments.model.is_dir() and not report.exit_code("error"):
+        report.next = command_line("compile", arguments.model)
     return report

@@ -90,6 +90,7 @@ PACKAGES = {
 
 
 OPTIONAL = {
+    "pygls": ("pygls.lsp.server", "editors", "lsp", "robosmi lsp: findings, completions and choices in an editor"),
     "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: serve the commands as tools for assistants, confined to one folder"),
     "SQLAlchemy": (
         "sqlalchemy",
@@ -366,7 +367,8 @@ def _uploaders(toolchains: Iterable[Toolchain], project: Path | None) -> Iterato
         program = find_program(data)
         version = tool_version(program[0], data.texts("version"), environment(toolchain)) if program else None
         fix = None if program else install_fix(toolchain, [data.text("package")])
-        listed = ", ".join(sorted(boards[name])[:_SHOWN]) + (" ..." if len(boards[name]) > _SHOWN else "")
+        named = sorted({*boards[name]})  # a board may be on several platforms
+        listed = ", ".join(named[:_SHOWN]) + (" ..." if len(named) > _SHOWN else "")
         yield ToolStatus(
             data.text("command"), f"upload to {listed}", program[0] if program else None, version, fix, f"{_UPLOAD} to {listed}"
         )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from robosmi.base.quantities import quantity
 from robosmi.base.trust import acting
-from robosmi.cli.common import output_folder
+from robosmi.cli.common import command_line, output_folder
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import UsageError
 from robosmi.plugins import content
@@ -97,6 +97,8 @@ def _install(arguments: _Arguments, platform: str) -> Report:
         report.result["pinned"] = made is not None
         said = f"{arguments.output} uses it in this version" if made is not None else f"{arguments.output} does not use it"
         report.lines.append(said)
+        if made is not None:
+            report.next = command_line("compile", arguments.output)
     return report
 
 

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from robosmi.cli.common import command_line
 from robosmi.errors import UsageError
 from robosmi.plugins import content
 from robosmi.project import project_of
@@ -51,4 +52,6 @@ def run(arguments: _Arguments) -> Report:
     )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
+    if arguments.sketch is not None:
+        report.next = command_line("migrate", "PROGRAM.c", "--hardware", arguments.sketch, "-o", "OUT")
     return report

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robosmi.cli.commands.open import serve
-from robosmi.cli.common import check_replaced
+from robosmi.cli.common import check_replaced, command_line
 from robosmi.errors import UsageError
 from robosmi.plugins import content
 from robosmi.report import Report
@@ -65,4 +65,6 @@ def run(arguments: _Arguments) -> Report:
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     if done.written is not None:
         report.artifacts.append({"path": str(done.written), "kind": "vcd"})
+    if report.ok and (arguments.output / "models").is_dir():  # a sketch of one's own has no original to compare with
+        report.next = command_line("verify", arguments.output)
     return report

@@ -103,7 +103,6 @@ def run(arguments: _Arguments) -> Report:
         )
     report.lines += [f"picture of both programs: {path}" for path, kind in done.written if kind == "picture"]
     report.lines += done.notes
-    if report.ok:
-        report.next = command_line("upload", arguments.output, "--port", "PORT")
+    report.next = command_line(*(("upload", arguments.output, "--port", "PORT") if report.ok else ("open", arguments.output)))
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

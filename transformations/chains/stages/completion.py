@@ -34,6 +34,7 @@ from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT, co
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
 from robosmi.transformations.chains.stages.pin_check import pin_findings
 from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits
+from robosmi.transformations.chains.stages.user_includes import set_own_libraries
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE
@@ -88,6 +89,7 @@ def completion_chain(made: Generation | None = None) -> Chain:
     chain.call(compiler_findings, makes="compiler_findings", step="find what a compiler refuses")
     chain.call(pin_check, makes="pin_check", step="follow the pins through the program")
     chain.call(user_edits, makes="user_edits", step="find what the user has written")
+    chain.call(whole_program, makes="whole_program", step="list the libraries that the user has included")
     chain.call(merged, makes="merged", step="merge the program with the user's edits")
     chain.call(build_sizes, makes="build_sizes", step="find the sizes of the last build")
     chain.call(verdict, makes="verdict", step="find the verdict of the last comparison")
@@ -112,6 +114,10 @@ def program(models: MigrationModels) -> Generation:
     Raises:
         RobosmiError: the generator, a plug-in's perhaps, returned something else.
     """
+    return _generated(models)
+
+
+def _generated(models: MigrationModels) -> Generation:
     generator = content("generator", str(target_of(models.plan).generator))
     made: object = generator(models.plan, models.files)
     if isinstance(made, Generation) and all(isinstance(file, FileChange) for file in made.files):
@@ -140,14 +146,19 @@ def user_edits(models: MigrationModels, program: Generation, folder: OutputFolde
     return find_user_edits(models.plan, folder.places, _texts(program), record)
 
 
-def merged(program: Generation, folder: OutputFolder, user_edits: UserEdits) -> MergedTexts:
+def whole_program(models: MigrationModels, program: Generation, user_edits: UserEdits) -> Generation:
+    """The files of the program, with the libraries that the user's code includes in its project files and in the plan."""
+    return _generated(models) if set_own_libraries(models.plan, user_edits.own_includes) else program
+
+
+def merged(whole_program: Generation, folder: OutputFolder, user_edits: UserEdits) -> MergedTexts:
     """The program's files with the user's edits.
 
     Raises:
         SourceError: a link or a folder is where a file was made.
     """
     kept = MergedTexts(folder.places, LAST, folder.manifest.files)
-    kept.add(_texts(program), user_edits.base)
+    kept.add(_texts(whole_program), user_edits.base)
     return kept
 
 
@@ -164,7 +175,7 @@ def verdict(models: MigrationModels, folder: OutputFolder, merged: MergedTexts) 
 def completed(
     models: MigrationModels,
     folder: OutputFolder,
-    program: Generation,
+    whole_program: Generation,
     user_edits: UserEdits,
     merged: MergedTexts,
     compiler_findings: Sequence[migration.PlanFinding],
@@ -187,7 +198,7 @@ def completed(
     plan.tasks.clear()
     plan.tasks.extend([*conflicts(merged.files, merged.made), *others])
     plan.build = build_sizes
-    return Completed(models, folder, program, user_edits, merged)
+    return Completed(models, folder, whole_program, user_edits, merged)
 
 
 def _replace_findings(plan: migration.MigrationPlan, rule: str, new: Sequence[migration.PlanFinding]) -> None:

@@ -15,9 +15,8 @@ from robosmi.generate.output_paths import Places
 from robosmi.generate.record import Record
 from robosmi.generate.text_form import read as read_text
 from robosmi.metamodels import migration
-from robosmi.transformations.chains.stages.user_includes import needed_still, without_includes
+from robosmi.transformations.chains.stages.user_includes import libraries_for, needed_still, own_includes, without_includes
 from robosmi.transformations.m2t.program_files import REPORT
-from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.reports.written_bodies import (
     AS_BYTES,
     VALUE_TODO,
@@ -41,6 +40,7 @@ class UserEdits:
         values: the names whose placeholders they have defined.
         done: the tasks that they have ticked, by their subjects.
         includes: headers that are no longer generated and that their code uses, with the names used from each.
+        own_includes: all headers that their code needs and that no decision of the plan brings.
         findings: messages about bodies that are no longer called, and about such headers.
     """
 
@@ -49,6 +49,7 @@ class UserEdits:
         self.values: set[str] = set()
         self.done: set[tuple[str, ...]] = set()
         self.includes: dict[str, list[str]] = {}
+        self.own_includes: list[str] = []
         self.findings: list[Finding] = []
 
     def base(self, name: str, last: str, there: str, made: str, path: Path) -> tuple[str, str]:
@@ -116,7 +117,8 @@ def find_user_edits(plan: migration.MigrationPlan, places: Places, made: Mapping
             found.names |= written(there, text, last).keys()
             found.values |= {str(symbol.name) for symbol in plan.symbolUses if _given(symbol, there, text)}
             code[name] = last, there, text
-    found.includes = needed_still(code, str(target_of(plan).name))
+    found.includes = needed_still(code, libraries_for(plan))
+    found.own_includes = list(dict.fromkeys([*own_includes(code), *found.includes]))
     return found
 
 

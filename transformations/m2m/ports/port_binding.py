@@ -19,6 +19,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Location
@@ -28,8 +29,8 @@ from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
-from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet, remarks_for, tone_kinds
-from robosmi.transformations.queries.circuits.component_kinds import misleading_title
+from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet, remarks_for, remarks_of_own, tone_kinds
+from robosmi.transformations.queries.circuits.component_kinds import kinds_of, misleading_title
 from robosmi.transformations.queries.circuits.former_titles import former_name
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
@@ -106,7 +107,10 @@ def bind_ports(
         _split(port, binding, connections, split)
     heard = {id(b.answer) for b in bindings if b.answer is not None}
     free = [c for c in free if id(c) not in heard]
+    tones: Mapping[str, int] = api.settings.get("ports", {}).get("tones", {})
+    heard_or_seen = frozenset().union(*(tone_kinds(port.uses, tones) for port in ports))
     seats = [_seat(p, b, found, api, split) for p, b in zip(ports, bindings, strict=True) if b.open]
+    seats = [replace(seat, unlike=heard_or_seen - seat.usual - {seat.role}) for seat in seats]
     for seat in seats:
         seat.binding.role = seat.role
     assign(seats, free, limit, complete=not found.anything)
@@ -434,7 +438,7 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
     options = []
     if seat.own and fits and not any(found.points > 0 for found, _ in fits):
         unwired = migration.Option(label=NOT_WIRED, score=0.3, reasons=[f"not connected: {seat.own}"])
-        options.append(((0.0, False, 0.0, False), unwired))
+        options.append(((0.0, False, -remarks_of_own(seat), False), unwired))
     for found, connection in fits:
         meets, (remarks, reasons) = may_meet(seat, connection), remarks_for(seat, connection)
         said = [*found.reasons, *([_usual_components(seat)] if meets and not found.points else []), *reasons]
@@ -443,7 +447,8 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
             label=connection.name, score=score,
             reasons=[*(said or ["weak match: only input/output agrees"]), *filter(None, [misleading_title(connection)])],
         )  # fmt: skip
-        options.append(((-found.points, meets is False, -remarks, not meets), option))
+        unfit = meets is False or bool(kinds_of(connection) & seat.unlike)
+        options.append(((-found.points, unfit, -remarks, not meets), option))
     seat.binding.options.extend(option for _, option in sorted(options, key=lambda pair: pair[0]))
 
 

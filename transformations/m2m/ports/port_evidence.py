@@ -52,6 +52,7 @@ class Seat(Struct, frozen=True, dict=True):
         split: whether its functions can use a component with a separate wire for each direction.
         uses: where the program uses it.
         own: what boards of the source have at the port themselves; empty if nothing is known.
+        unlike: the kinds that the tones of other ports are for, without those that are usual for this one.
     """
 
     binding: migration.PortBinding
@@ -63,6 +64,7 @@ class Seat(Struct, frozen=True, dict=True):
     split: bool = False
     uses: Sequence[PinUse] = ()
     own: str = ""
+    unlike: frozenset[str] = frozenset()
 
     @cached_property
     def remarks(self) -> Sequence[Remark]:
@@ -166,6 +168,12 @@ def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, li
             points += len(shared)
             reasons.append(f"{remark.place} says '{', '.join(shared)}'")
     return points, reasons
+
+
+def remarks_of_own(seat: Seat) -> float:
+    """How much the remarks of a port speak for what boards of the source have there themselves."""
+    words = significant_words([seat.own])
+    return float(sum(len(remark.words & words) for remark in seat.remarks))
 
 
 AUDIBLE_HZ = range(20, 20_001)

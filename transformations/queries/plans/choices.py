@@ -1,7 +1,8 @@
 """Every choice that a user can make, as the contract's `choices[]`: a pin for each port, a library for each component.
 
 A choice that was made keeps its options. A port is offered the pins that the drawing proposes, then each free pin that can do
-what the program does with the port, then `none`. `answers` tells what a choice is called in a command and in a project file.
+what the program does with the port, then `none`, which comes first where nothing that is drawn fits. `answers` tells what a
+choice is called in a command and in a project file.
 """
 
 from __future__ import annotations
@@ -164,7 +165,9 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
         ]
         ranked += [(str(pin.label), 0.0, _pin_why(pin)) for pin in free_pins(plan, decision) if id(pin) not in offered]
         if all(label != NOT_WIRED for label, _, _ in ranked):
-            ranked.append((NOT_WIRED, 0.0, "not connected: its calls do nothing"))
+            first = not decision.options and len(plan.connections) > 0  # nothing that is drawn fits
+            why = "nothing that is drawn fits" if first else "not connected: its calls do nothing"
+            ranked.insert(0 if first else len(ranked), (NOT_WIRED, 0.0, why))
     elif isinstance(decision, migration.LibraryChoice):
         ranked.append((NO_LIBRARY, 0.0, "no library needed"))
     chosen = "" if decision.open else str(decision.choice)
