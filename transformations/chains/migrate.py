@@ -210,7 +210,7 @@ def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts,
         return None
     made = stored_drawing(path, settings.roles, target)
     if hardware is None and settings.path is not None:
-        made.findings.extend(from_outside([path], [settings.path.parent], _COPY))
+        made.findings.extend(from_outside([path], [settings.path.parent], _COPY, Severity.info))
     declared = {d.name for view in program.views for d in view.of_kind(ccode.Declaration) if isinstance(d, ccode.Declaration)}
     declared |= {macro.name for view in program.views for macro in view.unit.macros}
     made.findings.extend(rename_clashes(made.hardware.connections, declared, Location(str(path))))
