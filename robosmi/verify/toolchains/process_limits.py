@@ -79,7 +79,7 @@ def _started_by(process: int) -> Iterator[int]:
                 yield from map(int, inputs.read_text(task / "children", inputs.RECORD).split())
 
 
-class Waiting:
+class IdleWatch:
     """Tells whether a process waits for something that never comes, as a compiler does that opens a named pipe."""
 
     def __init__(self, process: int) -> None:

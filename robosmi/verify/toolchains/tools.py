@@ -94,7 +94,7 @@ def run(
             raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
         limits = process_limits.limit(process.pid)
         end = monotonic() + limit_s
-        waiting = process_limits.Waiting(process.pid)
+        waiting = process_limits.IdleWatch(process.pid)
         while True:
             try:
                 said, complained = process.communicate(timeout=max(0.01, min(end - monotonic(), _LOOK_S)))
