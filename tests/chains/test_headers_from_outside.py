@@ -66,7 +66,9 @@ def test_a_drawing_and_an_adapter_from_outside_are_named(tmp_path: Path, monkeyp
     monkeypatch.chdir(robot)
     found = run("migrate", "look.c", "-o", "out", "--json").document["findings"]
     told = [f["message"] for f in found if f["rule"] == "RS113"]
-    assert told == [f"'{other / name}' is outside the program's folders and is copied with it" for name in ("pins.csv", "ping.cpp")]
+    assert told == [
+        f"'{other / name}' is outside the program's folders and is copied with it" for name in ("pins.csv", "ping.cpp")
+    ]
     (untested,) = [f["message"] for f in found if f["rule"] == "RS539"]
     assert "not compiled" in untested
     assert "are not trusted" in untested
