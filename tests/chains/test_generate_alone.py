@@ -107,6 +107,14 @@ def test_a_link_out_of_the_models_folder_is_not_followed(kind: str, migrated: Pa
     assert not (tmp_path / "again").exists()
 
 
+def test_a_folder_of_models_that_is_a_link_out_of_the_output_folder_is_not_followed(migrated: Path, tmp_path: Path) -> None:
+    shutil.move(migrated / "models", tmp_path / "elsewhere")
+    (migrated / "models").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(SourceError, match="outside the output folder, behind a link"):
+        generate(migrated / "models" / "plan.xmi", tmp_path / "again")
+    assert not (tmp_path / "again").exists()
+
+
 def test_a_plan_that_refers_to_models_elsewhere_is_refused(migrated: Path, tmp_path: Path) -> None:
     models = migrated / "models"
     shutil.move(models / "code.xmi", migrated / "code.xmi")

@@ -11,6 +11,15 @@ from tests.running import run
 
 PROGRAM = '#include "simpletools.h"\n#include "{header}"\nint main() {{ high(KEY); pause(5); }}\n'
 
+ADAPTER = """//# header ping.h
+//# adapter ping_cm
+//#   for: int ping_cm(int pin)
+//#   kind: oneToOne
+//#   pin: pin digital in
+//#   fidelity: no echo
+int ping_cm(int pin) { return missing(pin); }
+"""
+
 
 @pytest.mark.skipif(os.name == "nt", reason="links need rights there")
 @pytest.mark.parametrize(
@@ -40,6 +49,31 @@ def test_a_header_from_outside_is_named(
     outcome = run("migrate", "blink.c", *options, "-o", "out", "--json")
     told = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS113"]
     assert told == ([f"'{tmp_path / 'key.h'}' is outside the program's folders and is copied with it"] if said else [])
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_a_drawing_and_an_adapter_from_outside_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    robot, other = tmp_path / "robot", tmp_path / "other"
+    (robot / "adapters").mkdir(parents=True)
+    other.mkdir()
+    (other / "pins.csv").write_text("pin,part,title\nD9,Red LED,A\n")
+    (other / "ping.cpp").write_text(ADAPTER)
+    (robot / "adapters" / "ping.cpp").symlink_to(other / "ping.cpp")
+    (robot / "robosmi.toml").write_text('[migrate]\nhardware = "../other/pins.csv"\n')
+    (robot / "look.c").write_text('#include "simpletools.h"\n#include "ping.h"\nint main() { pause(ping_cm(3)); }\n')
+    (robot / ".robosmi" / "platform_repo").mkdir(parents=True)
+    (robot / ".robosmi" / "platform_repo" / "own.toml").write_text("")
+    monkeypatch.chdir(robot)
+    found = run("migrate", "look.c", "-o", "out", "--json").document["findings"]
+    told = [f["message"] for f in found if f["rule"] == "RS113"]
+    assert told == [
+        f"'{other / name}' is outside the program's folders and is copied with it" for name in ("pins.csv", "ping.cpp")
+    ]
+    (untested,) = [f["message"] for f in found if f["rule"] == "RS539"]
+    assert "not compiled" in untested
+    assert "are not trusted" in untested
+    named = run("migrate", "look.c", "--hardware", other / "pins.csv", "-o", "out2", "--json").document["findings"]
+    assert str(other / "pins.csv") not in str([f for f in named if f["rule"] == "RS113"])
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,14 @@ def test_a_precompiled_header_beside_a_sketch_is_refused(tmp_path: Path, name: s
     (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / name).write_bytes(b"gpch")
     with pytest.raises(SourceError, match="a precompiled header"):
+        check_plain(tmp_path)
+
+
+def test_a_pipe_in_a_sketchs_folder_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "nowhere").symlink_to(tmp_path / "missing")
+    check_plain(tmp_path)
+    os.mkfifo(tmp_path / "my.h")
+    with pytest.raises(SourceError, match="cannot be compiled: it is a named pipe"):
         check_plain(tmp_path)
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
 import pytest
 
+from robosmi import inputs
 from robosmi.errors import VerificationError
+from robosmi.verify.toolchains import tools
 from robosmi.verify.toolchains.process_limits import FILE_MB, MEMORY_MB, PROCESSOR_S, exceeded
 from robosmi.verify.toolchains.tools import run
 from tests.tools import require_tools
@@ -47,6 +50,27 @@ def test_what_a_compiler_starts_is_limited_too(tmp_path: Path) -> None:
     started = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {tells!r}])"
     done = run([sys.executable, "-c", f"import time; time.sleep(0.2); {started}"], tmp_path)
     assert int(done.stdout) == MEMORY_MB << 20
+
+
+def test_a_compiler_that_waits_for_a_pipe_is_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tools, "_LOOK_S", 0.03)
+    os.mkfifo(pipe := tmp_path / "pipe.h")
+    opens = f"open({str(pipe)!r})"
+    waits = f"import subprocess, sys; subprocess.run([sys.executable, '-S', '-c', {opens!r}])"
+    with inputs.read_once(), pytest.raises(VerificationError, match="waited for a named pipe or a device"):
+        run([sys.executable, "-S", "-c", waits], tmp_path, limit_s=60)
+
+
+def test_a_compiler_that_works_does_not_wait(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tools, "_LOOK_S", 0.01)
+    works = "import time\nwhile time.process_time() < 0.2: pass\nprint('done')"
+    with inputs.read_once():
+        assert run([sys.executable, "-S", "-c", works], tmp_path).stdout == "done\n"
+
+
+def test_an_uploader_may_wait_for_its_board(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tools, "_LOOK_S", 0.01)
+    assert run([sys.executable, "-S", "-c", "import time; time.sleep(0.2)"], tmp_path, reads_files=False).returncode == 0
 
 
 @pytest.mark.parametrize(

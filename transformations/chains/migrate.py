@@ -37,11 +37,17 @@ from robosmi.transformations.chains.stages.import_choices import import_choices
 from robosmi.transformations.chains.stages.models import MigrationModels
 from robosmi.transformations.chains.stages.moving import Moving, merged_choices
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
-from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
+from robosmi.transformations.chains.stages.own_adapters import (
+    adapter_files_of,
+    check_own_adapters,
+    project_files,
+    unread_adapters,
+)
 from robosmi.transformations.chains.stages.ports import bindings, pins_of_project, pins_to_choose, ports
 from robosmi.transformations.chains.stages.program import (
     ProgramFiles,
     StoredProgram,
+    from_outside,
     library_headers,
     program_files,
     stored_program,
@@ -189,6 +195,10 @@ def program(program_files: Any, api: ApiIndex, target: TargetFacts) -> StoredPro
     return stored_program(program_files, api, target)
 
 
+_COPY = "check it before you give the output folder away, or put a copy of it into the project's folder"
+"""What to do about a drawing or an adapter file from outside of the project."""
+
+
 def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts, program: StoredProgram) -> StoredDrawing | None:
     """The drawing in its stored form, its connections renamed apart from the program's names; None if none is given.
 
@@ -199,6 +209,8 @@ def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts,
     if path is None:
         return None
     made = stored_drawing(path, settings.roles, target)
+    if hardware is None and settings.path is not None:
+        made.findings.extend(from_outside([path], [settings.path.parent], _COPY, Severity.info))
     declared = {d.name for view in program.views for d in view.of_kind(ccode.Declaration) if isinstance(d, ccode.Declaration)}
     declared |= {macro.name for view in program.views for macro in view.unit.macros}
     made.findings.extend(rename_clashes(made.hardware.connections, declared, Location(str(path))))
@@ -265,7 +277,9 @@ def judgement(
     known = api.settings.get("ports", {}).get("look_up", {})
     look_up = [str(known[name]) for name in looked_up(ports) if name in known]
     judged = judge_program(program.views, target, choice, program.copies, look_up)
-    check_own_adapters(choice, target, board)
+    judged[0].findings += check_own_adapters(choice, target, board)
+    if settings.path is not None:
+        judged[0].findings += from_outside(project_files(choice), [settings.path.parent], _COPY)
     return judged
 
 
@@ -322,6 +336,7 @@ def models(
     findings += lost_findings(widenings, list(program.program.units), program.copies)
     findings += text_findings(widenings, list(program.program.units), program.copies)
     findings += history_findings(earlier)
+    findings += judgement[0].findings
     findings += unread_adapters(settings, (Path(given).parent for given in program.places))
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,

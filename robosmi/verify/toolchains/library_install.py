@@ -141,7 +141,8 @@ def _by_manager(name: str, version: str, toolchain: Toolchain) -> LibraryInstall
     before = set(installed_libraries(toolchain))
     wanted = fill([data.text("versioned")], {"name": name, "version": version})[0] if version else name
     arguments = fill(data.texts("arguments"), {"library": wanted})
-    done = run([path, *arguments], limit_s=data.decimal("limit_s"), advice="check the connection, then run the command again")
+    advice = "check the connection, then run the command again"
+    done = run([path, *arguments], limit_s=data.decimal("limit_s"), reads_files=False, advice=advice)
     if done.returncode:
         lines = [line.strip() for line in (done.stderr or done.stdout).splitlines() if line.strip()]
         raise SourceError(f"{tool} cannot install '{wanted}': {lines[-1] if lines else 'no message'}", fix=data.text("failed"))

@@ -18,6 +18,8 @@ from robosmi import inputs
 
 MEMORY_MB, PROCESSOR_S, FILE_MB = 500, 10, 256
 """Limits of each process: of its address space, of its processor time, and of the length of a file that it writes."""
+WAITS_LOOKS = 5
+"""Looks, one each second, after which a process that only sleeps is taken to wait for ever."""
 
 _WORDS = {
     re.compile(rf"out of memory|memory exhausted|{re.escape(os.strerror(errno.ENOMEM))}|std::bad_alloc"): (
@@ -74,7 +76,35 @@ def _started_by(process: int) -> Iterator[int]:
     with suppress(OSError):
         for task in Path(f"/proc/{process}/task").iterdir():
             with suppress(OSError):
-                yield from map(int, inputs.read_text(task / "children", inputs.SETTINGS).split())
+                yield from map(int, inputs.read_text(task / "children", inputs.RECORD).split())
+
+
+class IdleWatch:
+    """Tells whether a process waits for something that never comes, as a compiler does that opens a named pipe."""
+
+    def __init__(self, process: int) -> None:
+        self.process = process
+        self.seen: dict[int, int] = {}
+        self.looks = 0
+
+    def look(self) -> bool:
+        """Whether it, and all that it has started, slept and used no processor time at each of the last `WAITS_LOOKS` looks."""
+        now = dict(_sleeping(self.process))
+        self.looks = self.looks + 1 if now and now == self.seen and -1 not in now.values() else 0
+        self.seen = now
+        return self.looks >= WAITS_LOOKS
+
+
+def _sleeping(process: int) -> Iterator[tuple[int, int]]:
+    """A process and those that it has started, each with its ticks of processor time; -1 for one that does not sleep."""
+    todo = [process]
+    while todo:
+        one = todo.pop()
+        with suppress(OSError):  # it has ended, or this system does not tell
+            told = inputs.read_text(Path(f"/proc/{one}/stat"), inputs.RECORD, errors="replace")
+            state, *numbers = told.rpartition(") ")[2].split()
+            yield one, int(numbers[10]) + int(numbers[11]) if state == "S" else -1
+        todo += _started_by(one)
 
 
 def exceeded(tighter: frozenset[str], code: int, complained: str) -> str:

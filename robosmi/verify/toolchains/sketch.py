@@ -25,6 +25,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.output_paths import Places
+from robosmi.inputs import InputRejectedError, check_ordinary
 from robosmi.verify.toolchains.boards import Board, find_board
 from robosmi.verify.toolchains.prototypes import with_prototypes
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
@@ -147,7 +148,8 @@ def check_inside(folder: Path) -> None:
 
 
 def check_plain(folder: Path) -> None:
-    """Make sure that no precompiled header lies in a sketch's folder: a compiler would load it in the place of a header, unseen.
+    """Make sure that a sketch's folder has no precompiled header, which a compiler would load in the place of a header, unseen,
+    and no named pipe, device or socket, for which it would wait.
 
     Args:
         folder: the sketch's folder.
@@ -158,6 +160,13 @@ def check_plain(folder: Path) -> None:
     for path in sorted(folder.rglob("*")):
         if path.suffix in _PRECOMPILED:
             raise _precompiled(path)
+        try:
+            check_ordinary(path)
+        except InputRejectedError as error:
+            message = f"the sketch's folder cannot be compiled: {error.strerror}"
+            raise SourceError(message, location=Location(str(path)), fix="remove it") from None
+        except OSError:  # a folder, or a link that leads nowhere
+            continue
 
 
 _PRECOMPILED = (".gch", ".pch")

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
+from time import monotonic
 from typing import IO, NamedTuple
 
 from robosmi import inputs
@@ -27,6 +28,8 @@ from robosmi.verify.toolchains.toolchain_data import Toolchain, ToolEntry, place
 
 LIMIT_S = 120.0
 """Seconds that one run of a compiler may take."""
+_LOOK_S = 1.0
+"""Seconds after which, again and again, a process is looked at that has not ended yet."""
 
 
 class Installed(NamedTuple):
@@ -60,6 +63,7 @@ def run(
     environment: Mapping[str, str] | None = None,
     limit_s: float = LIMIT_S,
     stdin: IO[bytes] | None = None,
+    reads_files: bool = True,
     advice: str = "look for an #include or .incbin of a special file, or for macros, templates or arrays that grow endlessly",
 ) -> subprocess.CompletedProcess[str]:
     """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
@@ -68,8 +72,9 @@ def run(
         command: the program and its arguments.
         cwd: the folder in which it runs; the current one if None.
         environment: of the process; this process's if None.
-        limit_s: seconds after which it is given up. A compiler that is let read a pipe waits for ever.
+        limit_s: seconds after which it is given up.
         stdin: the file that it reads as its input; none if None.
+        reads_files: whether it waits for nothing else, as a compiler: one that reads a pipe, and so waits for ever, is stopped.
         advice: what to do where it does not end.
 
     Raises:
@@ -88,10 +93,18 @@ def run(
         except OSError as error:
             raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
         limits = process_limits.limit(process.pid)
-        try:
-            said, complained = process.communicate(timeout=max(0.01, limit_s))
-        except subprocess.TimeoutExpired:
-            raise VerificationError(f"'{Path(command[0]).name}' exceeded {limit_s:.0f} s and was stopped", fix=advice) from None
+        end = monotonic() + limit_s
+        waiting = process_limits.IdleWatch(process.pid)
+        while True:
+            try:
+                said, complained = process.communicate(timeout=max(0.01, min(end - monotonic(), _LOOK_S)))
+                break
+            except subprocess.TimeoutExpired:
+                too_long = f"exceeded {limit_s:.0f} s" if monotonic() >= end else ""
+                if not too_long and reads_files and waiting.look():
+                    too_long = "waited for a named pipe or a device"
+                if too_long:
+                    raise VerificationError(f"'{Path(command[0]).name}' {too_long} and was stopped", fix=advice) from None
     if too_much := process_limits.exceeded(limits, process.returncode, complained):
         raise VerificationError(f"'{Path(command[0]).name}' exceeded {too_much} and was stopped", fix=advice)
     return subprocess.CompletedProcess(command, process.returncode, said, complained)

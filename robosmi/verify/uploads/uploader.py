@@ -61,7 +61,7 @@ class Uploader(Struct, frozen=True):
         advice = self.data.text(
             "stuck", "the board may have an incomplete program; check the cable and the port, then upload again"
         )
-        said = run(command, folder, self.environment, self.data.decimal("limit_s"), advice=advice)
+        said = run(command, folder, self.environment, self.data.decimal("limit_s"), reads_files=False, advice=advice)
         return said.stdout + said.stderr if said.returncode else None
 
     def ports(self) -> str:

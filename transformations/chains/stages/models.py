@@ -18,6 +18,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError
 from robosmi.files.files import digest, within
+from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.ecore.metamodels import built_in
 from robosmi.model.xmi.xmi_locations import XmiLocations
@@ -102,6 +103,9 @@ def load_models(path: Path) -> MigrationModels:
     """
     from robosmi.model.versions import read_current  # a migration from sources reads no model
 
+    output = Path(os.path.abspath(path)).parent.parent
+    if os.path.lexists(output / MANIFEST):
+        _check_inside(path, output)
     folder = Path(os.path.realpath(path)).parent
     found = read_current(path, built_in(), inside=folder)
     roots = {file.name: root for file, root in found.items() if file.parent == folder}
@@ -145,12 +149,7 @@ def stored_models(output: Path) -> MigrationModels:
         ModelError: a model contradicts its metamodel.
     """
     path = output / FOLDER / PLAN
-    root = os.path.realpath(output)
-    if os.path.commonpath([os.path.realpath(path), root]) != root:
-        raise SourceError(
-            "the plan is outside the output folder, behind a link", location=Location(str(path)),
-            fix="copy it and its models into the folder, or create the plan again with migrate",
-        )  # fmt: skip
+    _check_inside(path, output)
     from robosmi.model.ecore.xmi_document import NO_MODEL  # a migration from sources reads no model
 
     try:
@@ -160,6 +159,15 @@ def stored_models(output: Path) -> MigrationModels:
             raise
         fix = "restore the file (robosmi undo, version control), or create the plan again with migrate"
         raise SourceError(error.message, location=error.location, fix=fix) from error
+
+
+def _check_inside(path: Path, output: Path) -> None:
+    root = os.path.realpath(output)
+    if os.path.commonpath([os.path.realpath(path), root]) != root:
+        raise SourceError(
+            "the plan is outside the output folder, behind a link", location=Location(str(path)),
+            fix="copy it and its models into the folder, or create the plan again with migrate",
+        )  # fmt: skip
 
 
 def _checked(path: Path, entry: migration.Input) -> bytes:

@@ -105,8 +105,17 @@ def unread_adapters(settings: Project, folders: Iterable[Path]) -> list[Finding]
 _OTHER_NAMES = ("adapter", "adaptor", "adaptors")
 
 
-def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platform.Board) -> None:
+def project_files(choice: AdapterChoice) -> list[Path]:
+    """The adapter files beside the project file that a plan uses."""
+    pieces = (piece for piece in choice.chosen_pieces if choice.index.owner_of(piece) == "project")
+    return [*dict.fromkeys(Path(piece.location.path) for piece in pieces)]
+
+
+def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platform.Board) -> list[Finding]:
     """Compile the own adapters that a plan uses.
+
+    Returns:
+        A warning where they cannot be compiled now: a found folder names the programs, and nobody has trusted it.
 
     Args:
         choice: the adapters of the plan.
@@ -121,8 +130,12 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
     _check_results(own, choice.api)
     _check_timers(own, board)
     if not own or target.language not in _PROGRAMS:
-        return
-    fault = first_fault(own, choice.pieces, choice.mcu, target, board)
+        return []
+    try:
+        fault = first_fault(own, choice.pieces, choice.mcu, target, board)
+    except SourceError as error:
+        message = f"the text of your own adapters was not compiled: {error.message}"
+        return [Finding("RS539", Severity.warning, message, own[0].location, fix=error.fix)]
     if fault is not None:
         piece, finding = fault
         raise PlatformDataError(
@@ -130,6 +143,7 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
             location=finding.location,
             fix=_fix(finding.message, piece, choice.pieces),
         )
+    return []
 
 
 def _check_timers(own: Iterable[AdapterPiece], board: platform.Board) -> None:
@@ -229,13 +243,16 @@ def first_fault(
 
     Returns:
         None where all compile, and where there is no compiler to ask.
+
+    Raises:
+        SourceError: the folder with the data that names the compiler is not trusted, or the machine let the compiler down.
     """
     pieces = known.needed([(piece.header, piece.name) for piece in own], mcu).pieces
     text = adapter_text([adapter_element(piece) for piece in pieces], {}, UNBOUND)
     setup = [(piece, str(statement)) for piece in pieces for statement in piece.setup]
     try:
         wrong = _errors(text, [statement for _, statement in setup], target, board)
-    except (MissingToolError, SourceError):  # not installed, or found data that names programs and that nobody has trusted
+    except MissingToolError:
         return None
     for finding in wrong:
         lost = _bare(finding.message.partition(":")[0]) if finding.rule == _MISSING_HEADER else ""
@@ -266,6 +283,9 @@ def fault_of_saved(
 
     Returns:
         Header and function of the first body that does not compile, and what the compiler says; None where all do.
+
+    Raises:
+        SourceError: as for `first_fault`.
     """
     assert plan.board is not None
     assert plan.source is not None

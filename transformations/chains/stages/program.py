@@ -357,19 +357,26 @@ def library_headers(paths: Sequence[Path], api: ApiIndex) -> list[str]:
     return [name for name in names if name not in own and api.header_kind(name) is None]
 
 
-def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Finding]:
-    """Says of each header of a program that lies outside of its folders that it is taken over: a person may not know of it.
+_NAME_FOLDER = "give its folder with -I if it belongs to the program, else remove its #include"
+
+
+def from_outside(
+    paths: Iterable[Path], folders: Iterable[Path], fix: str = _NAME_FOLDER, severity: Severity = Severity.warning
+) -> list[Finding]:
+    """Says of each file of a program that lies outside of its folders that it is taken over: a person may not know of it.
 
     Args:
-        headers: the headers that the program reaches.
+        paths: the headers that the program reaches, the drawing that its project file names, its adapter files.
         folders: those of its sources and project file, and those that a person names for headers.
+        fix: what to do about such a file.
+        severity: of the findings.
     """
     inside = {Path(os.path.realpath(folder)) for folder in folders}
-    found = [(path, Path(os.path.realpath(path))) for path in headers]
+    found = [(path, Path(os.path.realpath(path))) for path in paths]
     return [
         Finding(
-            OUTSIDE, Severity.warning, f"'{real}' is outside the program's folders and is copied with it",
-            Location(str(path)), fix="give its folder with -I if it belongs to the program, else remove its #include",
+            OUTSIDE, severity, f"'{real}' is outside the program's folders and is copied with it",
+            Location(str(path)), fix=fix,
         )
         for path, real in found if not inside & {*real.parents}
     ]  # fmt: skip

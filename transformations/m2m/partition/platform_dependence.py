@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence, Set as AbstractSet
 from typing import TypeVar
 
+from robosmi.diagnostics import Finding
 from robosmi.errors import RobosmiError
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -78,6 +79,7 @@ class Dependence:
         source: the part of the source platform that is used.
         divisions: how main is divided.
         concurrency: how code runs that the program starts on other cores; None if it starts none.
+        findings: about a person's own adapters.
     """
 
     def __init__(self) -> None:
@@ -90,6 +92,7 @@ class Dependence:
         self.source: platform.Platform | None = None
         self.divisions: list[Division] = []
         self.concurrency: migration.Concurrency | None = None
+        self.findings: list[Finding] = []
 
 
 def partition(
