@@ -6,7 +6,8 @@ It fills `value_flows`. Other uses of a value are collected by `value_uses`, bod
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
+from functools import cached_property
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -578,21 +579,20 @@ class FlowReader:
                     place = (view.unit.path, argument[0][1], argument[-1][2])
                     self.given.setdefault(place, []).append(("macro parameter", str(macro.name), i))
 
-    def elements_named(self, name: str) -> Iterator[Element]:
-        """The variables, parameters and enumerators of a name, wherever they are declared."""
-        for view in self.views:
-            for element in view.elements:
-                if isinstance(element, (ccode.Variable, ccode.Parameter, ccode.EnumerationLiteral)) and element.name == name:
-                    yield element
+    @cached_property
+    def _declared(self) -> dict[str, list[Hashable]]:
+        """The keys of variables, parameters and enumerators by their names, wherever they are declared."""
+        found: dict[str, list[Hashable]] = {}
+        for each in (element for view in self.views for element in view.elements):
+            if isinstance(each, ccode.EnumerationLiteral):
+                found.setdefault(str(each.name), []).append(self._enumerator(each))
+            elif isinstance(each, (ccode.Variable, ccode.Parameter)):
+                found.setdefault(str(each.name), []).append(self.key(each))
+        return found
 
     def named(self, name: str) -> list[Hashable]:
         """The keys of all that a name may mean in the body of a macro."""
-        if name in self.macros:
-            return [("macro", name)]
-        found = [
-            self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
-        ]
-        return list(dict.fromkeys(found))
+        return [("macro", name)] if name in self.macros else list(dict.fromkeys(self._declared.get(name, ())))
 
 
 def view_text(data: bytes, start: int, end: int) -> str:
