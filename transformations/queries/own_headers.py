@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.source_text import ProgramFiles, header_file, is_header, meant_unit
+
+_QUALIFIED = re.compile(r"::\s*~?\w+\s*$")
+"""The name of a function that is defined outside of its class or namespace."""
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
@@ -92,7 +96,8 @@ def in_sketch(header: ccode.SourceUnit) -> str:
 
 def is_member(function: ccode.Function) -> bool:
     """Whether a function belongs to a class or a namespace, which declares it."""
-    return isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)) or "::" in str(function.signature)
+    named = _QUALIFIED.search(str(function.signature or "").partition("(")[0]) is not None
+    return named or isinstance(function.eContainer(), (ccode.Record, ccode.Namespace))
 
 
 def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
