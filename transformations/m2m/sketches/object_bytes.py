@@ -8,9 +8,10 @@ of 4 bytes).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.int_widths import is_free, retyped_here
 from robosmi.transformations.m2m.sketches.linked_types import declarations
@@ -49,7 +50,7 @@ def _edits(sketch: MovedSketch) -> Iterator[SketchEdit]:
         lines = sketch.lines(BYTES, view)
         for element in view.of_kind(ccode.Expression):
             holder = _holder(element) if int(element.line) in lines and _takes_bytes(element) else None
-            if holder is None:
+            if holder is None or not _is_of_known(element, sketch.kinds[BYTES].functions):
                 continue
             record = _record(sketch, holder)
             if record is not None and record not in records:
@@ -82,6 +83,22 @@ def _takes_bytes(element: ccode.Expression) -> bool:
     while isinstance(outer, (ccode.Unary, ccode.Index)):
         outer = outer.eContainer()
     return isinstance(element, (ccode.NameReference, ccode.Member)) and isinstance(outer, (ccode.Call, ccode.Cast))
+
+
+def _is_of_known(element: ccode.Expression, copying: Collection[str]) -> bool:
+    """Whether the text tells both objects of a copy that one of them is part of: one alone may not get another size."""
+    call = ancestor_of_kind(element, ccode.Call)
+    if call is None or str(call.calleeName) not in copying:
+        return True
+    return all(_object(argument) is not None for argument in list(call.arguments)[:2])
+
+
+def _object(argument: ccode.Expression | None) -> ccode.Declaration | None:
+    """What an argument is, or points to or into."""
+    while isinstance(argument, (ccode.Cast, ccode.Unary, ccode.Index, ccode.Binary)):
+        inner = argument.array if isinstance(argument, ccode.Index) else None
+        argument = inner or (argument.left if isinstance(argument, ccode.Binary) else getattr(argument, "operand", None))
+    return _holder(argument) if argument is not None else None
 
 
 def _holder(element: ccode.Expression) -> ccode.Variable | ccode.Parameter | ccode.Field | None:

@@ -101,7 +101,7 @@ class Linker:
             self._sites.setdefault(name, []).append(CallSite(context, call, nodes.get(id(call))))
 
     def _own(self, number: int, name: str) -> ccode.Function | None:
-        """The program's own function of that name (`qualified`): a visible definition (the unit's own first), else a prototype."""
+        """The program's own function of that `qualified` name: a visible definition (the unit's own first), else a prototype."""
         own = self.own_functions[number].get(name)
         if own is not None and own.definition:
             return own
