@@ -80,11 +80,21 @@ def test_each_sketch_moves_to_the_pico_and_compiles_or_says_where_it_does_not(tm
         foreign = any("unsuitable_library" in f.message for f in moved.findings)
         errors = [f.location for f in report.diagnostics if f.rule == COMPILER_ERROR and f.location is not None]
         own = [each for each in errors if Path(each.path).is_relative_to(moved.sketch)]
-        unsaid = [each for each in own if (_key(each.path), each.line) not in found]
+        more = {_key(path.name): _lines(path) - _lines(at) for path in moved.sketch.rglob("*") if (at := _source_of(path, main))}
+        unsaid = [e for e in own if (_key(e.path), (e.line or 0) - more.get(_key(e.path), 0)) not in found]
         if unsaid or (len(own) < len(errors) and not foreign) or (not report.ok and not errors):
             silent.append(f"{labels['id']}: {unsaid[:3] or report.diagnostics[:1]}")
     assert judged
     assert len(silent) <= (1 - ENOUGH) * judged, silent
+
+
+def _lines(path: Path) -> int:
+    return path.read_bytes().count(b"\n")
+
+
+def _source_of(path: Path, main: Path) -> Path | None:
+    """The file of a sketch from which one of the moved sketch was made."""
+    return next((each for each in main.parent.rglob("*") if each.is_file() and _key(each.name) == _key(path.name)), None)
 
 
 def _key(path: str) -> str:

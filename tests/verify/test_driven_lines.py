@@ -34,6 +34,7 @@ def test_a_line_that_is_driven_high_later_was_let_go_all_the_same() -> None:
 
 def test_an_output_is_not_let_go() -> None:
     assert let_go((0.0, "z"), (1000.0, 0)) == [LET_GO]
+    assert let_go((0.0, "z"), (1000.0, 0), (1500.0, "z"), (1500.1, 0), (51_000.0, 1)) == [LET_GO]  # by pinMode, for a moment
     assert let_go((0.0, "z"), (1000.0, 0), (51_000.0, 1), (131_000.0, 0), (181_000.0, "z")) == [LET_GO]
 
 

@@ -10,7 +10,6 @@ from robosmi.query import all_of_kind
 from robosmi.transformations.constraints.code_move import moved, place, the_move, together
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.programs.main_function import main_of
-from robosmi.transformations.queries.programs.unprototyped_functions import unprototyped_pointers
 from robosmi.transformations.queries.programs.unreached import Unreached
 from robosmi.validate import Fail
 
@@ -38,7 +37,7 @@ def _short_calls(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Call, str]]:
 
 
 def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Call, str]]:
-    for kept in unprototyped_pointers(the_move().program) if any(c.callee is None for c in the_move().view(unit).calls) else ():
+    for kept in the_move().unprototyped if any(c.callee is None for c in the_move().view(unit).calls) else ():
         for call in kept.calls:
             lacking = [function for function in kept.functions if len(function.parameters) > len(call.arguments)]
             if unit_of(call) is unit and lacking:

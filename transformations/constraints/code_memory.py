@@ -109,7 +109,7 @@ def _differs(size: ccode.SizeOf) -> str:
     if isinstance(size.operand, ccode.NameReference) and isinstance(size.operand.target, ccode.Parameter) and use.arrayDims:
         return ""  # the type that is declared is not the one that is measured
     before, after = here.of(use), there.of(use)
-    if before is None or after is None or before == after:
+    if before is None or after is None or before == after or _keeps_bytes(use.declaration):
         return ""
     return f"{str(use.spelling).strip()} has {after} bytes, not {before}"
 
@@ -129,9 +129,21 @@ def _sizes(record: ccode.Record) -> str:
     plan = the_move().plan
     here, there = on_source(plan), on_target(plan)
     before, after = here.record(record) if here is not None else None, there.record(record)
-    if before is None or after is None or before == after:
+    if before is None or after is None or before == after or _keeps_bytes(record):
         return ""
     return f"{_name(record)} has {after} bytes, not {before}"
+
+
+def _keeps_bytes(declared: ccode.Declaration | None) -> bool:
+    """Whether the plan gives a type the bytes that it has on the source; pointers in it have another size all the same."""
+    if isinstance(declared, ccode.Typedef) and declared.aliased is not None:
+        declared = declared.aliased.declaration
+    kept = the_move().with_kept_bytes
+    if not isinstance(declared, ccode.Record):
+        return id(declared) in kept
+    inner = [record_of(each.valueType) for each in declared.fields]
+    changed = any(id(each) in kept for each in (declared, *declared.fields)) or any(map(_keeps_bytes, inner))
+    return changed and not any(each.valueType is not None and each.valueType.pointerDepth for each in declared.fields)
 
 
 def _name(record: ccode.Record) -> str:

@@ -29,6 +29,7 @@ from robosmi.transformations.queries.numbers import Machine, Numbers
 from robosmi.transformations.queries.plans.plan import preserves_main
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.ports.port_masks import PortMasks
+from robosmi.transformations.queries.programs.unprototyped_functions import UnprototypedPointers, unprototyped_pointers
 from robosmi.transformations.queries.resources.cooperation import giving_way
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
@@ -46,6 +47,8 @@ MANY = 5
 PLACES = "places"
 FLOW = "flow"
 """Key of a finding's evidence: the element and the steps that lead to it; kept only for findings about a single element."""
+KEEPS_BYTES = "object-bytes"
+"""The rule of dispositions by which a type keeps its bytes."""
 _running: ContextVar[Move | None] = ContextVar("robosmi_move", default=None)
 _FIXED = re.compile(r"\bu?int(?:8|16|32|64)_t\b|\bfloat\b")
 
@@ -98,6 +101,16 @@ class Move:
         functions = _functions(self.views)
         functions.update({a.name: function_type(a.signature) for a in self.plan.adapterUses})
         return Ranges(Numbers(self.here, functions, {}, self._macros), Values(self.program, self.views[0].unit), self.program)
+
+    @cached_property
+    def unprototyped(self) -> list[UnprototypedPointers]:
+        """The program's pointers to functions without parameter types."""
+        return unprototyped_pointers(self.program)
+
+    @cached_property
+    def with_kept_bytes(self) -> frozenset[int]:
+        """The identities of declarations that the plan gives the bytes that they have on the source."""
+        return frozenset(id(each.element) for each in self.plan.dispositions if KEEPS_BYTES in each.rules)
 
     @cached_property
     def _macros(self) -> dict[str, str]:

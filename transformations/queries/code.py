@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.macros.tokens import names_in
 from robosmi.transformations.queries.names import name_or_text
-from robosmi.transformations.queries.own_headers import all_includes, includes_of_units
+from robosmi.transformations.queries.own_headers import all_includes, includes_of_units, is_member
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Values
 
@@ -364,7 +364,9 @@ def unit_of(element: Element | None) -> ccode.SourceUnit | None:
 
 
 def _definitions(program: ccode.Program) -> set[str]:
-    return {str(d.name) for unit in program.units for d in unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    """The names of functions that a program defines; methods do not take the place of other functions of their names."""
+    functions = (d for unit in program.units for d in unit.declarations if isinstance(d, ccode.Function) and d.definition)
+    return {str(function.name) for function in functions if not is_member(function)}
 
 
 def _distinct(calls: Iterable[ccode.Call]) -> list[ccode.Call]:

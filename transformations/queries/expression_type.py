@@ -217,12 +217,18 @@ def type_of(expression: ccode.Expression | None, functions: Mapping[str, Functio
     return None
 
 
-def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> ValueType | None:
+def field_of(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> ccode.Field | None:
+    """The member of a record that an expression names; None where the model does not say the type of its object."""
     owner = type_of(expression.object, functions)
     record = owner.declaration if owner is not None else None
     if not isinstance(record, ccode.Record):
         return None
-    found = next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
+    return next((field for field in record.fields if field.name == expression.name), None)
+
+
+def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> ValueType | None:
+    field, owner = field_of(expression, functions), type_of(expression.object, functions)
+    found = of_use(field.valueType) if field is not None else None
     if found is None or owner is None or not found.array:  # an array is as constant and as changing as what it is in
         return found
     return replace(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.queries.source_text import header_file, is_header, meant_unit
+from robosmi.transformations.queries.source_text import ProgramFiles, header_file, is_header, meant_unit
+
+_QUALIFIED = re.compile(r"::\s*~?\w+\s*$")
+"""The name of a function that is defined outside of its class or namespace."""
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
@@ -22,9 +26,9 @@ def own_header(include: ccode.Include) -> str:
     return in_sketch(header) if header is not None else ""
 
 
-def _meant_header(include: ccode.Include) -> ccode.SourceUnit | None:
+def _meant_header(include: ccode.Include, files: ProgramFiles | None = None) -> ccode.SourceUnit | None:
     """The program's own header that an include means, None where it was not carried over."""
-    unit = meant_unit(include)
+    unit = meant_unit(include) if files is None else files.meant(include)
     return unit if unit is not None and is_header(unit) else None
 
 
@@ -52,7 +56,8 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
 
 def includes_of_units(program: ccode.Program) -> dict[int, tuple[str, ...]]:
     """What `all_includes` gives for each unit of a program, by the unit's `id`; each include is looked up once."""
-    meant = {id(include): _meant_header(include) for unit in program.units for include in unit.includes}
+    files = ProgramFiles(program)
+    meant = {id(include): _meant_header(include, files) for unit in program.units for include in unit.includes}
     including: dict[int, list[ccode.SourceUnit]] = {}
     for unit in program.units:
         for _, header in _met([unit], meant):
@@ -70,11 +75,13 @@ def _met(
 ) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:
     """The includes of units in preprocessing order, each with the own header that it includes first, or None."""
     seen: set[int] = set()
+    files: ProgramFiles | None = None
     for unit in units:
+        files = files or ProgramFiles(unit.program)
         pending = list(reversed(unit.includes))
         while pending:
             include = pending.pop()
-            header = _meant_header(include) if meant is None else meant[id(include)]
+            header = _meant_header(include, files) if meant is None else meant[id(include)]
             first = header if header is not None and id(header) not in seen else None
             if first is not None:
                 seen.add(id(first))
@@ -89,7 +96,8 @@ def in_sketch(header: ccode.SourceUnit) -> str:
 
 def is_member(function: ccode.Function) -> bool:
     """Whether a function belongs to a class or a namespace, which declares it."""
-    return isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)) or "::" in str(function.signature)
+    named = _QUALIFIED.search(str(function.signature or "").partition("(")[0]) is not None
+    return named or isinstance(function.eContainer(), (ccode.Record, ccode.Namespace))
 
 
 def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:

@@ -42,18 +42,29 @@ def _is_included(unit: ccode.SourceUnit) -> bool:
 
 
 def meant_unit(include: ccode.Include) -> ccode.SourceUnit | None:
-    """The program's file that an include refers to: the resolved one, else the first with the same file name.
-
-    Several folders may have files of one name, so the file name alone counts only if the include was not resolved.
-    """
+    """The program's file that an include refers to (`ProgramFiles.meant`)."""
     unit = include.eContainer()
-    program = unit.program if isinstance(unit, ccode.SourceUnit) else None
-    units = list(program.units) if program is not None else []
-    found = next((u for u in units if u.path == include.resolvedPath), None)
-    if found is not None:
-        return found
-    name = _file_name(include)
-    return next((u for u in units if u.path.rpartition("/")[2] == name), None)
+    return ProgramFiles(unit.program if isinstance(unit, ccode.SourceUnit) else None).meant(include)
+
+
+class ProgramFiles:
+    """The files of a program by their paths and names.
+
+    Args:
+        program: the program, or None for no files.
+    """
+
+    def __init__(self, program: ccode.Program | None) -> None:
+        units = [(str(unit.path), unit) for unit in reversed(program.units)] if program is not None else []  # the first counts
+        self._by_path = dict(units)
+        self._by_name = {path.rpartition("/")[2]: unit for path, unit in units}
+
+    def meant(self, include: ccode.Include) -> ccode.SourceUnit | None:
+        """The file that an include refers to: the resolved one, else the first with the same file name.
+
+        Several folders may have files of one name, so the file name alone counts only if the include was not resolved.
+        """
+        return self._by_path.get(str(include.resolvedPath)) or self._by_name.get(_file_name(include))
 
 
 def _file_name(include: ccode.Include) -> str:

@@ -72,9 +72,9 @@ template <class T, class L> T max(const T &a, const L &b);
 #define digitalPinToPCMSKbit(p) (p)
 #define analogPinToBitMask(P) (P)
 #define analogInPinToBit(P) (P)
-#define portOutputRegister(P) ((volatile uint8_t *)0)
-#define portInputRegister(P) ((volatile uint8_t *)0)
-#define portModeRegister(P) ((volatile uint8_t *)0)
+#define portOutputRegister(P) ((volatile uint8_t *)(P))
+#define portInputRegister(P) ((volatile uint8_t *)(P))
+#define portModeRegister(P) ((volatile uint8_t *)(P))
 
 typedef unsigned int word;
 typedef bool boolean;

@@ -1,15 +1,15 @@
-/* Minimal stdint.h for reading programs, with the widths of AVR (avr-libc 2.0, stdint.h). */
+/* Minimal stdint.h for reading programs, with the types of the compiler's processor (as avr-libc 2.0, stdint.h). */
 #pragma once
 typedef signed char int8_t;
 typedef unsigned char uint8_t;
-typedef int int16_t;
-typedef unsigned int uint16_t;
-typedef long int32_t;
-typedef unsigned long uint32_t;
+typedef __INT16_TYPE__ int16_t;
+typedef __UINT16_TYPE__ uint16_t;
+typedef __INT32_TYPE__ int32_t;
+typedef __UINT32_TYPE__ uint32_t;
 typedef long long int64_t;
 typedef unsigned long long uint64_t;
-typedef int16_t intptr_t;
-typedef uint16_t uintptr_t;
+typedef __INTPTR_TYPE__ intptr_t;
+typedef __UINTPTR_TYPE__ uintptr_t;
 typedef int64_t intmax_t;
 typedef uint64_t uintmax_t;
 typedef int8_t int_least8_t;

@@ -147,9 +147,10 @@ def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
     high_us = min([*waves, *(at_us for at_us, level in changes if level == 1)], default=inf)
     driven = next((number for number, (_, level) in enumerate(changes) if level == 0), len(changes))
     found = [ActivityEvent(0.0, LEVEL, (LET_GO,))]
-    if not any(level != 0 and at_us < high_us for at_us, level in changes[driven:]):
-        return found
     ends = [at_us for at_us, _ in changes[driven + 1 :]]
+    lasting = zip(changes[driven:], [*ends, inf], strict=False)  # some cores make a pin an input for a moment in pinMode
+    if not any(level != 0 and at_us < high_us and end_us - at_us >= _SHORTEST_US for (at_us, level), end_us in lasting):
+        return found
     for number, (at_us, level) in enumerate(changes[driven:]):
         if at_us >= high_us:
             break

@@ -117,6 +117,8 @@ def _kept_names(plan: migration.MigrationPlan) -> PinNames:
     words = Counter(
         word for b in plan.portBindings if b.pin is not None for change in b.changes for word in _pins_written(change, bound)
     )
+    same = [flow for flow in plan.portFlows if SAME_NUMBERS in flow.evidence]  # such as a loop over pins, which stays
+    words.update(pin_literal(b.pin) for flow in same for b in flow.bindings if b.pin is not None)
     return PinNames(functions, LOOK_UPS, {}, words, int(UNBOUND), frozenset(api.pin_constants))
 
 

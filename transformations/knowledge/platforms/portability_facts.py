@@ -6,7 +6,9 @@ A kind is data: the names, headers and types whose use is a place, and where it 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
+from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
 
@@ -18,6 +20,8 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.project import read_data
 from robosmi.transformations.knowledge.platforms.platform_folder import platform_folder
+
+_NUMBER = re.compile(r"\d+")
 
 
 class PlaceKind(Struct, frozen=True, forbid_unknown_fields=True):
@@ -61,6 +65,8 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
         variable_clashes: names that no variable at file scope may have there; a function of that name is an overload.
         absent: names of the platform, with * for any letters, that the board's core does not declare.
         methods: class of the platform -> the declarations of methods that it has there, and not on the source boards.
+        interrupt_modes: the modes of attachInterrupt on the source boards by their numbers, where the numbers differ.
+        real_results: functions that give a real number there, and a whole one on the source boards.
         writes_bytes: objects whose write() takes a byte or a text there, and an int, too, on the source boards.
         needs_return: whether the board's tools refuse a function that may end without its value.
         calls: function or macro of avr-libc -> the one that does the same there with the same arguments.
@@ -84,6 +90,8 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
     variable_clashes: tuple[str, ...] = ()
     absent: tuple[str, ...] = ()
     methods: Mapping[str, str] = {}
+    interrupt_modes: tuple[str, ...] = ()
+    real_results: tuple[str, ...] = ()
     writes_bytes: tuple[str, ...] = ()
     needs_return: bool = False
     calls: Mapping[str, str] = {}
@@ -104,13 +112,21 @@ class PortabilityFacts(Struct, frozen=True):
         kinds: name of a kind -> its facts, in the order of the file.
         registers: what registers belong to -> their names.
         microcontrollers: name -> what it has; one that is not listed has nothing of it.
+        meanings: name of a register, with # for each number and * for any letters -> what it is for.
         moves: architecture or microcontroller of the target board -> what is different there.
     """
 
     kinds: Mapping[str, PlaceKind]
     registers: Mapping[str, Sequence[str]] = {}
     microcontrollers: Mapping[str, Chip] = {}
+    meanings: Mapping[str, str] = {}
     moves: Mapping[str, MoveFacts] = {}
+
+    def meaning(self, register: str) -> str:
+        """What a register is for, with its number; empty if that is not known. An exact name counts first."""
+        plain, numbers = _NUMBER.sub("#", register), _NUMBER.findall(register)
+        found = self.meanings.get(plain) or next((text for name, text in self.meanings.items() if fnmatchcase(plain, name)), "")
+        return found.replace("#", numbers[0]) if numbers else found
 
     def move_to(self, chip: str, architecture: str) -> MoveFacts:
         """What is different on a board: its microcontroller's facts, else its architecture's."""
@@ -133,7 +149,7 @@ def _facts(path: Path) -> PortabilityFacts:
     try:
         told = json_of(inputs.read_bytes(registers, inputs.DATA)) if registers.is_file() else {}
         data = read_data(path)
-        own = {"kinds": data.get("kinds", {}), "moves": data.get("moves", {})}
+        own = {name: data.get(name, {}) for name in ("kinds", "meanings", "moves")}
         return convert({**(told if isinstance(told, dict) else {}), **own}, PortabilityFacts)
     except (OSError, ValueError, ValidationError) as error:
         fix = f"correct it, or {registers.name} beside it"

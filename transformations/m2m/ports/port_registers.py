@@ -54,7 +54,7 @@ _CALLS = {
     READ: "(digitalRead({pin}) << {bit})", IS_SET: "digitalRead({pin})", IS_CLEAR: "!digitalRead({pin})",
     WAIT_SET: "do {} while (!digitalRead({pin}))", WAIT_CLEAR: "do {} while (digitalRead({pin}))",
     PWM: "analogWrite({pin}, {value})", PULSE: "{handler}.writeMicroseconds({value})",
-    ATTACH: "{handler}.attach({pin}, 200, 3000)",  # any pulse that the library can make
+    ATTACH: "{handler}.attach({pin}, 200, 3000{value})",  # any pulse that the library can make, and the first one
 }  # fmt: skip
 _ONCE = frozenset([HIGH_IF, LOW_IF, TOGGLE_IF])
 """What is a statement, and no expression."""
@@ -148,16 +148,23 @@ def _text(change: _Change, changes: Sequence[_Change], sources: Mapping[str, byt
 
 def _of_timer(change: _Change, text: str) -> str:
     """What takes the place of a statement of a timer that drives pins."""
-    statement, scale = change.statement, change.statement.scale
-    value = register_value(statement.steps[0].value, statement.view.values)
-    if value is not None:
-        text = str(round(value * scale))
-    elif scale != 1:
-        factor = f"{scale.numerator}UL * " if scale.numerator != 1 else ""
-        text = f"{factor}({text}) / {scale.denominator}"
+    statement = change.statement
     called = statement.handler.split(",")
     filled = zip(statement.steps, change.literals, called, strict=True)
-    return ", ".join(_call(step, literal, replace(statement, handler=name), text) for step, literal, name in filled)
+    return ", ".join(
+        _call(step, literal, replace(statement, handler=name), _scaled(step, statement, text)) for step, literal, name in filled
+    )
+
+
+def _scaled(step: PinStep, statement: PortStatement, text: str) -> str:
+    """The text of a value in the unit of the call that takes it; of a first pulse with its comma."""
+    value, scale = register_value(step.value, statement.view.values), statement.scale
+    if step.what == ATTACH:
+        return f", {round(value * scale)}" if value is not None else ""
+    if value is not None:
+        return str(round(value * scale))
+    factor = f"{scale.numerator}UL * " if scale.numerator != 1 else ""
+    return f"{factor}({text}) / {scale.denominator}" if scale != 1 else text
 
 
 def _reads(statement: PortStatement) -> bool:

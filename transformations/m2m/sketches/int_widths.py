@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.returned_values import returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
+from robosmi.transformations.m2m.sketches.argument_values import stored_values
 from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
@@ -66,9 +67,9 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             reason = f"'{each.name}' may leave the {bits} bits that an int has on its own board, and wraps there"
             yield SketchEdit(each, "int-wraps", reason, words)
         yield from _cured_times(sketch, values, holder)
-    formats = list(format_widths(sketch, values))
-    yield from formats
-    cut_there = {id(each.element) for each in formats if isinstance(each, SketchEdit)}
+    cuts = [*format_widths(sketch, values), *stored_values(sketch, values)]
+    yield from cuts
+    cut_there = {id(each.element) for each in cuts if isinstance(each, SketchEdit)}
     for view in sketch.views:
         for expression, number in values.exceeding(view):
             if not is_written(view, expression) or id(expression) in cut_there:

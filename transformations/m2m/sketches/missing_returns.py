@@ -17,7 +17,7 @@ from robosmi.transformations.queries.portability.analysed_program import Portabi
 KIND = "missing_return"
 _RULE = "missing-return"
 _NOTHING = frozenset(["", "void"])
-"""Types of functions that return no value; constructors have none."""
+"""Types of functions that return no value."""
 
 
 def missing_returns(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
@@ -34,6 +34,7 @@ def missing_returns(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
                 or int(function.startOffset) in by_macro
                 or spelling in _NOTHING
                 or function.name == "main"
+                or _is_constructor(function)
                 or not _falls_through(body)
             ):
                 continue
@@ -45,6 +46,12 @@ def missing_returns(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
             space = "" if data[end - 1 : end].isspace() else " "
             reason = f"'{function.name}' ends without a value, which the target's tools refuse"
             yield SketchEdit(function, _RULE, reason, (inserted(end, f"{space}return {{}}; "),))
+
+
+def _is_constructor(function: ccode.Function) -> bool:
+    """Whether a function has the name of its class; a template's constructor has a type in the model."""
+    owner = function.eContainer()
+    return isinstance(owner, ccode.Record) and str(function.name).partition("<")[0] == str(owner.name).partition("<")[0]
 
 
 def _falls_through(statement: ccode.Statement | None) -> bool:

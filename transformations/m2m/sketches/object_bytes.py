@@ -1,20 +1,23 @@
 """Objects have the bytes that they have on a board with a narrower int: records and variables that are stored or sent as bytes.
 
-Members of type int get 16 bits, double is a float, and a record is packed where the target would align its members otherwise.
-So are the members of unions, and the types in `sizeof(int)`. Source: the ABI of avr-gcc (no alignment, double of 4 bytes).
+Members of type int get 16 bits, enumerations too, double is a float, and a record is packed where the target would align its
+members otherwise. So are the members of unions, and the types in `sizeof(int)`. Source: the ABI of avr-gcc (no alignment, double
+of 4 bytes).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.int_widths import is_free, retyped_here
 from robosmi.transformations.m2m.sketches.linked_types import declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import field_of, of_use
 from robosmi.transformations.queries.own_headers import unit_of
 
 BYTES, SIZE = "bytes_of_object", "sizeof_int"
@@ -26,12 +29,20 @@ _SIZES = {
 }  # fmt: skip
 """Bytes of the types that the rule knows, as they are once its edits are made: so are their alignments on the target."""
 _KEYWORD = re.compile(rb"\b(?:struct|class|union)\b")
+_HEAD = re.compile(rb"enum\b(?:\s+(?:class|struct)\b)?(?:\s+\w+)?(?=\s*\{)")
+"""An enumeration up to its braces; one that says its type has more in front of them."""
 _MEASURED = re.compile(rb"\b(unsigned\s+int|unsigned|int|double)\b")
 _OF_WIDTH = {b"double": b"float", b"int": b"int16_t"}
 
 
 def object_bytes(sketch: MovedSketch) -> Iterator[SketchEdit]:
-    """The edits of records, variables and sizes."""
+    """The edits of records, variables, enumerations and sizes; each element has one, however many objects are of its type."""
+    edits = list(_edits(sketch))
+    once = {id(each.element): each for each in reversed(edits) if each.replacements}
+    yield from (each for each in edits if not each.replacements or once[id(each.element)] is each)
+
+
+def _edits(sketch: MovedSketch) -> Iterator[SketchEdit]:
     if sketch.move.source.int_bits >= sketch.move.target.int_bits:
         return
     records, variables, cured = [], [], dict[int, tuple[CodeView, set[int]]]()
@@ -39,7 +50,7 @@ def object_bytes(sketch: MovedSketch) -> Iterator[SketchEdit]:
         lines = sketch.lines(BYTES, view)
         for element in view.of_kind(ccode.Expression):
             holder = _holder(element) if int(element.line) in lines and _takes_bytes(element) else None
-            if holder is None:
+            if holder is None or not _is_of_known(element, sketch.kinds[BYTES].functions):
                 continue
             record = _record(sketch, holder)
             if record is not None and record not in records:
@@ -54,8 +65,7 @@ def object_bytes(sketch: MovedSketch) -> Iterator[SketchEdit]:
         yield from _of_record(sketch, record)
     for variable in variables:
         for each in declarations(sketch.views, variable):
-            if words := _words(sketch, each):
-                yield SketchEdit(each, _RULE, f"the bytes of '{each.name}' are those that it has on its own board", words)
+            yield from _of_holder(sketch, each)
     told = "the objects have the bytes that they have on their own board"
     for view, found in cured.values():
         yield SketchEdit(view.unit, _RULE, told, (), BYTES, tuple(sorted(found)))
@@ -75,9 +85,42 @@ def _takes_bytes(element: ccode.Expression) -> bool:
     return isinstance(element, (ccode.NameReference, ccode.Member)) and isinstance(outer, (ccode.Call, ccode.Cast))
 
 
-def _holder(element: ccode.Expression) -> ccode.Variable | ccode.Parameter | None:
+def _is_of_known(element: ccode.Expression, copying: Collection[str]) -> bool:
+    """Whether the text tells both objects of a copy that one of them is part of: one alone may not get another size."""
+    call = ancestor_of_kind(element, ccode.Call)
+    if call is None or str(call.calleeName) not in copying:
+        return True
+    return all(_object(argument) is not None for argument in list(call.arguments)[:2])
+
+
+def _object(argument: ccode.Expression | None) -> ccode.Declaration | None:
+    """What an argument is, or points to or into."""
+    while isinstance(argument, (ccode.Cast, ccode.Unary, ccode.Index, ccode.Binary)):
+        inner = argument.array if isinstance(argument, ccode.Index) else None
+        argument = inner or (argument.left if isinstance(argument, ccode.Binary) else getattr(argument, "operand", None))
+    return _holder(argument) if argument is not None else None
+
+
+def _holder(element: ccode.Expression) -> ccode.Variable | ccode.Parameter | ccode.Field | None:
+    if isinstance(element, ccode.Member):
+        return field_of(element, {})
     target = element.target if isinstance(element, ccode.NameReference) else None
-    return target if isinstance(target, (ccode.Variable, ccode.Parameter)) else None
+    return target if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+
+
+def _of_holder(sketch: MovedSketch, each: ccode.Declaration) -> Iterator[SketchEdit]:
+    """The edits of a variable or member, or of the enumeration that it has the type of."""
+    if words := _words(sketch, each):
+        yield SketchEdit(each, _RULE, f"the bytes of '{each.name}' are those that it has on its own board", words)
+    kind = of_use(each.valueType) if isinstance(each, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+    declared = kind.declaration if kind is not None else None
+    unit = unit_of(declared) if isinstance(declared, ccode.Enumeration) else None
+    if unit is None or not isinstance(declared, ccode.Enumeration):
+        return
+    data = sketch.sources[str(unit.path)]
+    if found := _HEAD.search(data, int(declared.startOffset), int(declared.endOffset)):
+        width = inserted(found.end(), f" : int{sketch.move.source.int_bits}_t")
+        yield SketchEdit(declared, _RULE, "an enumeration has the size of int on its own board", (width,))
 
 
 def _record(sketch: MovedSketch, holder: ccode.Variable | ccode.Parameter | ccode.Field) -> ccode.Record | None:
@@ -102,6 +145,9 @@ def _is_known(sketch: MovedSketch, record: ccode.Record) -> bool:
     """Whether all members of a record are numbers, or records of such."""
     for field in record.fields:
         inner = _record(sketch, field)
+        kind = of_use(field.valueType)
+        if kind is not None and isinstance(kind.declaration, ccode.Enumeration) and not kind.depth:
+            continue
         if _kind(field) not in _SIZES and (inner is None or inner is record or not _is_known(sketch, inner)):
             return False
     return not record.bases
@@ -113,8 +159,8 @@ def _of_record(sketch: MovedSketch, record: ccode.Record) -> Iterator[SketchEdit
         inner = _record(sketch, field)
         if inner is not None and inner is not record:
             yield from _of_record(sketch, inner)
-        elif words := _words(sketch, field):
-            yield SketchEdit(field, _RULE, f"the member '{field.name}' has the bytes that it has on its own board", words)
+        else:
+            yield from _of_holder(sketch, field)
     unit = unit_of(record)
     if unit is None or record.recordKind is ccode.RecordKind.unionType or not _is_aligned_otherwise(sketch, record):
         return

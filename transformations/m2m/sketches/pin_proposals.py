@@ -86,6 +86,7 @@ def propose_pins(ports: Sequence[Port], bindings: Sequence[migration.PortBinding
                 _bind(binding, pin, 1.0, SAME)
                 taken.add(str(pin.label))
                 waiting.remove((port, binding))
+    waiting.sort(key=lambda each: _means(each[0], new) is None)  # others leave these pins free
     wanted = [(binding, _candidates(port, new, taken)) for port, binding in waiting]
     for binding, pin in _matched(wanted):
         port = next(port for port, each in waiting if each is binding)
@@ -128,14 +129,20 @@ def _candidates(port: Port, new: NewBoard, taken: Collection[str]) -> list[platf
         and str(pin.label) not in taken
         and ((not pin.reserved and str(pin.label) not in new.buses) or (lamp and pin.label == new.board.led))
     ]
-    number = port.pin if port.pin is not None else -1
-    label = new.source.labels.get(number, "")
+    meant = _means(port, new)
+    label = new.source.labels.get(port.pin if port.pin is not None else -1, "")
 
     def rank(pin: platform.Pin) -> tuple[bool, bool, int]:
-        means = new.pins.labels.get(number) == pin.label if not label.startswith("A") else label in (pin.label, *pin.aliases)
+        means = meant == pin.label if not label.startswith("A") else label in (pin.label, *pin.aliases)
         return not (lamp and pin.label == new.board.led), not means, len(pin.abilities)
 
     return sorted(able, key=rank)
+
+
+def _means(port: Port, new: NewBoard) -> str | None:
+    """The label of the pin that a port's number means on the new board; None for analogue pins, which go by their names."""
+    number = port.pin if port.pin is not None else -1
+    return None if new.source.labels.get(number, "A").startswith("A") else new.pins.labels.get(number)
 
 
 def _is_lamp(port: Port, new: NewBoard) -> bool:

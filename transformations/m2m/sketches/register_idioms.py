@@ -48,7 +48,7 @@ def _timer_rest(sketch: MovedSketch, timer: TimerOutputs) -> Iterator[SketchEdit
     """What is left of a timer that drives pins: its settings go, and its servos get objects."""
     by_servo = "a servo object makes the pulses"
     reason = by_servo if timer.servos else f"analogWrite drives the pins of {timer.timer}"
-    for view, statement in timer.settings:
+    for view, statement in (*timer.settings, *timer.begun):
         if timer.attaches is None or statement is not timer.attaches.element:
             yield without(sketch, view, statement, _RULE, reason, _TIMER)
     for each in (*timer.writes, *([timer.attaches] if timer.attaches is not None else [])):

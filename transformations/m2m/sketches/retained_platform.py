@@ -6,6 +6,7 @@ by `queries.portability`; the rules of `sketch_rules` change it, and what none o
 
 from __future__ import annotations
 
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 
@@ -177,7 +178,8 @@ def place_findings(
         at, what = (place.path, place.line), place.what
         if place.kind in registers:
             names = [name for name in left.get(at, ()) if name in registers[place.kind]]
-            what = what.replace(place.name, names[0]) if names else ""
+            told = [f"{name}: {text}." for name in dict.fromkeys(names) if facts is not None and (text := facts.meaning(name))]
+            what = " ".join([what.replace(place.name, names[0]), *told]) if names else ""
         elif place.kind == OF_NAMES and place.name not in left.get(at, [place.name]):
             continue  # a change for pins has replaced it
         elif place.kind in OF_PINS and at in (moved if place.kind == BY_CALL else bound):
@@ -189,19 +191,37 @@ def place_findings(
 
 
 def _names_left(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[tuple[str, int], list[str]]:
-    """Path and number of each line with names -> those of them that no change of the plan replaces."""
+    """Path and number of each line with names -> those of them that no change of the plan replaces.
+
+    The definition of a macro has none if no use of the macro is left: it stands for nothing any more.
+    """
     changed: dict[str, set[int]] = {}
     for change in all_changes(plan):
         if change.unit is not None:
             changed.setdefault(str(change.unit.path), set()).update(range(change.startOffset, change.endOffset))
-    found: dict[tuple[str, int], list[str]] = {}
+    found: dict[tuple[str, int], list[str]] = defaultdict(list)
     for path, data in sources.items():
         line, at = 1, 0
         for start, _, name in name_tokens(data):
             line, at = line + data.count(b"\n", at, start), start
-            names = found.setdefault((path, line), [])
+            names = found[path, line]
             if start not in changed.get(path, ()):
                 names.append(name)
+    defined, counts = _macro_lines(plan), Counter(name for names in found.values() for name in names)
+    while gone := [name for name, lines in defined.items() if counts[name] == sum(found[at].count(name) for at in lines)]:
+        for at in {at for name in gone for at in defined.pop(name)}:
+            counts.subtract(found[at])
+            found[at] = []
+    return found
+
+
+def _macro_lines(plan: migration.MigrationPlan) -> dict[str, set[tuple[str, int]]]:
+    """Name of a macro of the program -> the lines of its definitions."""
+    found: dict[str, set[tuple[str, int]]] = {}
+    for unit in plan.program.units if plan.program is not None else ():
+        for macro in unit.macros:
+            lines = range(int(macro.line), int(macro.endLine or macro.line) + 1)
+            found.setdefault(str(macro.name), set()).update((str(unit.path), line) for line in lines)
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from robosmi.transformations.m2m.sketches.absent_names import absent_names
 from robosmi.transformations.m2m.sketches.analogue import analogue
+from robosmi.transformations.m2m.sketches.argument_values import argument_values
 from robosmi.transformations.m2m.sketches.avr_calls import avr_calls, sleep_modes
 from robosmi.transformations.m2m.sketches.clashing_names import clashing_names
 from robosmi.transformations.m2m.sketches.flash_eeprom import flash_eeprom
@@ -17,10 +18,9 @@ from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
 from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
 from robosmi.transformations.m2m.sketches.timer_ticks import timer_ticks
 from robosmi.transformations.m2m.sketches.usb_console import usb_console
-from robosmi.transformations.m2m.sketches.zero_bytes import zero_bytes
 
 RULES: tuple[SketchRule, ...] = (
     clashing_names, timer_ticks, register_idioms, sleep_modes, avr_calls, object_bytes, int_widths, char_signs, servo_limits,
-    flash_eeprom, flash_reads, usb_console, analogue, missing_returns, zero_bytes, foreign_libraries, absent_names,
+    flash_eeprom, flash_reads, usb_console, analogue, missing_returns, argument_values, foreign_libraries, absent_names,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

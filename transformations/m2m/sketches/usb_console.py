@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import inserted
-from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, setup_start
 from robosmi.transformations.queries.source_text import SourceText
 
 _CONSOLE = "Serial"
@@ -37,6 +37,14 @@ def usb_console(sketch: MovedSketch) -> Iterator[SketchEdit]:
             statement = ancestor_of_kind(call, ccode.Statement)
             if not begins or callee.object.name != _CONSOLE or not isinstance(statement, ccode.ExpressionStatement):  # type: ignore[union-attr]
                 continue
+            if _is_of_constructor(call):
+                start = setup_start(sketch.views, sketch.sources)
+                if start is not None:
+                    _, setup, at = start
+                    reason = "objects are made before the core opens its USB: what is printed there is lost"
+                    text = f" while (!{_CONSOLE} && millis() < {limit}) {{}}"
+                    yield SketchEdit(setup, "console-wait", reason, (inserted(at, text),))
+                return
             if isinstance(statement.eContainer(), ccode.Block):
                 end = SourceText(view.unit, sketch.sources[str(view.unit.path)], ()).statement_end(statement)
                 text = f" while (!{_CONSOLE} && millis() < {limit}) {{}}"
@@ -45,6 +53,14 @@ def usb_console(sketch: MovedSketch) -> Iterator[SketchEdit]:
                     (inserted(end, text),),
                 )  # fmt: skip
                 return
+
+
+def _is_of_constructor(call: ccode.Call) -> bool:
+    """Whether a call is in a constructor, which runs before `setup` where its object is global."""
+    function = ancestor_of_kind(call, ccode.Function)
+    name = str(function.name).split("::") if function is not None else [""]
+    owner = function.eContainer() if function is not None else None
+    return name[-1] == (str(owner.name) if isinstance(owner, ccode.Record) else name[-2] if len(name) > 1 else "")
 
 
 def _waits(loop: ccode.While) -> bool:

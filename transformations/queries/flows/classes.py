@@ -14,6 +14,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.member_records import record_key
+from robosmi.transformations.queries.own_headers import is_member
 
 _OF_CLASS = re.compile(r"(\w+)::~?\w+\s*\(")
 
@@ -72,6 +73,24 @@ class Classes:
         """The constructors of a class that may be given a number of arguments."""
         return [function for function in self._constructors.get(name, ()) if count <= len(function.parameters)]
 
+    @cached_property
+    def _members(self) -> dict[str, list[ccode.Function]]:
+        """Name -> the functions of that name that classes and namespaces define."""
+        found: dict[str, list[ccode.Function]] = {}
+        for function in (f for view in self._views for f in view.of_kind(ccode.Function) if f.definition and is_member(f)):
+            found.setdefault(str(function.name).rpartition("::")[2], []).append(function)
+        return found
+
+    @cached_property
+    def _virtual(self) -> frozenset[str]:
+        return frozenset(str(f.name) for view in self._views for f in view.of_kind(ccode.Function) if f.virtual)
+
+    def called(self, callee: ccode.Function) -> list[ccode.Function]:
+        """The definitions that a call of a member function may run: of a virtual one all, since a pointer may be to any class."""
+        name, record = str(callee.name).rpartition("::")[2], self._class_of(callee)
+        every = self._members.get(name, [])
+        return every if record is None or name in self._virtual else [f for f in every if self._class_of(f) is record]
+
     def definitions(self, declared: ccode.Function) -> list[ccode.Function]:
         """The definitions of a member function that a class declares, those of its overloads with as many parameters."""
         record, name = self._class_of(declared), str(declared.name).rpartition("::")[2]
@@ -87,8 +106,8 @@ class Classes:
         ]
 
     def around(self, element: Element) -> ccode.Record | None:
-        """The class whose member function contains an element; None outside of such a function."""
-        function = ancestor_of_kind(element, ccode.Function)
+        """The class whose member function contains an element, or is it; None outside of such a function."""
+        function = element if isinstance(element, ccode.Function) else ancestor_of_kind(element, ccode.Function)
         return self._class_of(function) if function is not None else None
 
     def initialised(self, initial: ccode.MemberInitializer) -> ccode.Field | None:

@@ -6,7 +6,8 @@ It fills `value_flows`. Other uses of a value are collected by `value_uses`, bod
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
+from functools import cached_property
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -31,6 +32,7 @@ from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
+from robosmi.transformations.queries.own_headers import is_member
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -56,14 +58,8 @@ class FlowReader:
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
         self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
         """Constant of the platform that is a pin of the board -> its number."""
-        self.functions = {
-            str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
-        }
-        self._members: dict[str, list[ccode.Function]] = {}
-        """Name -> the functions of that name that classes and namespaces define."""
-        for function in (e for view in views for e in view.elements if isinstance(e, ccode.Function) and e.definition):
-            if isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)):
-                self._members.setdefault(str(function.name), []).append(function)
+        own = (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition)
+        self.functions = {str(function.name): function for function in own if not is_member(function)}
         self.classes = Classes(views)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
@@ -103,15 +99,14 @@ class FlowReader:
             self._macro_arguments(view)
 
     def called(self, call: ccode.Call) -> list[ccode.Function]:
-        """The program's functions that a call may run: of a method all of its name, since a pointer may be to any class."""
-        name = str(call.calleeName or "")
-        if call.callee is None:
+        """The program's functions that a call may run."""
+        callee = call.callee
+        if callee is None or ancestor_of_kind(callee, ccode.SourceUnit) is None:
             return []
-        own = self.functions.get(name)
-        inside = isinstance(call.callee.eContainer(), (ccode.Record, ccode.Namespace))
-        if not inside:
-            return [own] if own is not None else []
-        return [*self._members.get(name, ()), *([own] if own is not None and "::" in str(own.signature) else [])]
+        if is_member(callee):
+            return self.classes.called(callee)
+        own = self.functions.get(str(call.calleeName or ""))
+        return [own] if own is not None else []
 
     # ---- what things are
 
@@ -123,7 +118,8 @@ class FlowReader:
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
         ):
             if thing.storage is not ccode.Storage.staticStorage:
-                return (type(thing).__name__, str(thing.name))
+                of_class = self.classes.around(thing) if isinstance(thing, ccode.Function) and is_member(thing) else None
+                return (type(thing).__name__, str(thing.name), *((str(of_class.name),) if of_class is not None else ()))
         elif isinstance(thing, ccode.Parameter):
             function = thing.eContainer()
             if isinstance(function, ccode.Function):
@@ -577,21 +573,20 @@ class FlowReader:
                     place = (view.unit.path, argument[0][1], argument[-1][2])
                     self.given.setdefault(place, []).append(("macro parameter", str(macro.name), i))
 
-    def elements_named(self, name: str) -> Iterator[Element]:
-        """The variables, parameters and enumerators of a name, wherever they are declared."""
-        for view in self.views:
-            for element in view.elements:
-                if isinstance(element, (ccode.Variable, ccode.Parameter, ccode.EnumerationLiteral)) and element.name == name:
-                    yield element
+    @cached_property
+    def _declared(self) -> dict[str, list[Hashable]]:
+        """The keys of variables, parameters and enumerators by their names, wherever they are declared."""
+        found: dict[str, list[Hashable]] = {}
+        for each in (element for view in self.views for element in view.elements):
+            if isinstance(each, ccode.EnumerationLiteral):
+                found.setdefault(str(each.name), []).append(self._enumerator(each))
+            elif isinstance(each, (ccode.Variable, ccode.Parameter)):
+                found.setdefault(str(each.name), []).append(self.key(each))
+        return found
 
     def named(self, name: str) -> list[Hashable]:
         """The keys of all that a name may mean in the body of a macro."""
-        if name in self.macros:
-            return [("macro", name)]
-        found = [
-            self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
-        ]
-        return list(dict.fromkeys(found))
+        return [("macro", name)] if name in self.macros else list(dict.fromkeys(self._declared.get(name, ())))
 
 
 def view_text(data: bytes, start: int, end: int) -> str:

@@ -15,6 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.portability_facts import Chip, PlaceKind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.expression_type import field_of
 from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, At
 from robosmi.transformations.queries.portability.pin_origins import PinOrigin
 
@@ -96,6 +97,26 @@ def board_conditions(kind: PlaceKind, seen: AnalysedProgram) -> Found:
                 yield At(view.unit, int(each.line)), name
 
 
+def calls_of_null(kind: PlaceKind, seen: AnalysedProgram) -> Found:
+    """Pointers to functions that are null, and that the program only calls."""
+    for view in seen.views:
+        for variable in view.of_kind(ccode.Variable):
+            use, called = variable.valueType, [each for each in variable.references if _is_called(each)]
+            is_function = use is not None and "(*" in str(use.spelling)
+            if is_function and _is_null(variable.initializer) and called and len(called) == len(variable.references):
+                yield At(view.unit, int(called[0].line)), str(variable.name)
+
+
+def _is_called(reference: ccode.NameReference) -> bool:
+    outer = reference.eContainer()
+    return isinstance(outer, ccode.Call) and outer.calleeExpression is reference
+
+
+def _is_null(value: Element | None) -> bool:
+    named = isinstance(value, ccode.NameReference) and value.name in ("NULL", "nullptr")
+    return named or (isinstance(value, ccode.IntegerLiteral) and not value.value)
+
+
 def sizes_of_int(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """`sizeof(int)`, where int has another width."""
     if seen.move.source.int_bits == seen.move.target.int_bits:
@@ -146,7 +167,7 @@ def _has_layout(argument: ccode.Expression) -> bool:
         argument = argument.operand
     while isinstance(argument, ccode.Index) and argument.array is not None:
         argument = argument.array
-    target = argument.target if isinstance(argument, ccode.NameReference) else None
+    target = field_of(argument, {}) if isinstance(argument, ccode.Member) else getattr(argument, "target", None)
     use = target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
     return use is not None and kind_of_type(use) not in _BYTES | {"void"} and "void" not in str(use.spelling).split()
 
@@ -277,6 +298,7 @@ RULES: dict[str, Rule] = {
     "adc_register": registers,
     "other_register": registers,
     "isr_vector": interrupt_vectors,
+    "call_of_null": calls_of_null,
     "sizeof_int": sizes_of_int,
     "bytes_of_object": bytes_of_objects,
     "int_time": times_in_int,

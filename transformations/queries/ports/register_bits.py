@@ -34,9 +34,9 @@ def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
     found: dict[tuple[int | None, str, int], PinUse] = {}
     for reference in view.of_kind(ccode.NameReference):
         direction = registers.get(str(reference.name))
-        variable = isinstance(reference.target, (ccode.Variable, ccode.Parameter))
-        own = variable or own_macro(view.unit, str(reference.name)) is not None
-        if direction is None or own or _put_back(reference):
+        if direction is None or isinstance(reference.target, (ccode.Variable, ccode.Parameter)) or _put_back(reference):
+            continue
+        if own_macro(view.unit, str(reference.name)) is not None:
             continue
         _add(found, _bits(reference, masks, whole), reference, str(reference.name), direction)
     for call in view.of_kind(ccode.Call):

@@ -40,6 +40,7 @@ class TimerOutputs(Struct, frozen=True):
         writes: the statements that change a duty or a pulse.
         servos: its servos: the name of the object that takes the place of a compare register, in the order of the text.
         attaches: the statement in whose place the servos are attached; None without servos.
+        begun: the statements that give servos their first pulses beside the settings; the attached servos begin with these.
     """
 
     timer: str
@@ -48,6 +49,7 @@ class TimerOutputs(Struct, frozen=True):
     writes: tuple[PortStatement, ...]
     servos: tuple[str, ...] = ()
     attaches: PortStatement | None = None
+    begun: tuple[_At, ...] = ()
 
 
 def timer_outputs(views: Sequence[CodeView]) -> list[TimerOutputs]:
@@ -101,10 +103,16 @@ def _outputs(
         last_view, last = plain[-1]
         if any(view is not last_view for view, _, _ in (*settings, *writes)) or _changes_mode_later(last_view, last):
             return None
-        steps = tuple(PinStep(0, number[register], ATTACH) for register in driven)
-        attaches = PortStatement(last_view, last, steps, timer.registers["control_b"], ",".join(servos.values()))
-        pulses = tuple(_write(w, PULSE, number, scale, servos[w[2]]) for w in writes)
-        return TimerOutputs(name, clocks, plain, pulses, tuple(servos.values()), attaches)
+        beside = _beside([outer for _, outer in plain], [outer for _, outer, _ in writes])
+        begun = [w for w in writes if id(w[1]) in beside]
+        if any(register_value(w[1].right, w[0].values) is None for w in begun):
+            return None
+        first = {register: outer.right for _, outer, register in begun}
+        steps = tuple(PinStep(0, number[register], ATTACH, first.get(register)) for register in driven)
+        attaches = PortStatement(last_view, last, steps, timer.registers["control_b"], ",".join(servos.values()), scale)
+        pulses = tuple(_write(w, PULSE, number, scale, servos[w[2]]) for w in writes if id(w[1]) not in beside)
+        taken = tuple((view, outer) for view, outer, _ in begun)
+        return TimerOutputs(name, clocks, plain, pulses, tuple(servos.values()), attaches, taken)
     scale = Fraction(STEPS, highest)
     return TimerOutputs(name, clocks, plain, tuple(_write(w, PWM, number, scale, "") for w in writes))
 
@@ -114,6 +122,23 @@ def _write(
 ) -> PortStatement:
     view, outer, register = write
     return PortStatement(view, outer, (PinStep(0, number[register], what, outer.right),), register, handler, scale)
+
+
+def _beside(settings: Sequence[ccode.Assignment], writes: Sequence[ccode.Assignment]) -> set[int]:
+    """The identities of the writes among the settings, or right before or behind them: nothing runs between these."""
+    block = settings[-1].eContainer().eContainer()
+    statements = list(block.statements) if isinstance(block, ccode.Block) else []
+    of = {id(each.eContainer()): each for each in (*settings, *writes)}
+    places = [number for number, each in enumerate(statements) if of.get(id(each)) in settings]
+    if not places:
+        return set()
+    low, high = places[0], places[-1]
+    while low and id(statements[low - 1]) in of:
+        low -= 1
+    while high + 1 < len(statements) and id(statements[high + 1]) in of:
+        high += 1
+    around = {id(of[id(each)]) for each in statements[low : high + 1] if id(each) in of}
+    return around.intersection(map(id, writes))
 
 
 def _changes_mode_later(view: CodeView, last: ccode.Assignment) -> bool:

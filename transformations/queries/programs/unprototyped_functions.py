@@ -87,7 +87,7 @@ def parameters_of(function: ccode.Function) -> tuple[str, str]:
 def unprototyped_pointers(program: ccode.Program) -> list[UnprototypedPointers]:
     """The function pointers of a program without parameter types, in groups that are assigned to each other."""
     groups = _Groups(program.units)
-    for unit in program.units:
+    for unit in program.units if groups.found() else ():
         for element in all_contents(unit):
             for pointer, value in _given(element):
                 groups.put(pointer, value)

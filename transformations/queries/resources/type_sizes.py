@@ -125,14 +125,19 @@ def on_target(plan: migration.MigrationPlan) -> TypeSizes:
     """The sizes on the target of a plan; members have gaps only if its processor reads words."""
     whole = int(plan.source.intBits) // _OCTET if plan.widths is migration.Widths.fix and plan.source is not None else 0
     target = platform_of(plan)
-    sizes = TypeSizes(target, whole, 1 if target.intBits < _READS_WORDS else int(target.intBits) // _OCTET)
+    sizes = TypeSizes(target, whole, _alignment(target))
     sizes.declared = declared_types(plan, sizes.plain, sizes.pointer)
     return sizes
 
 
 def on_source(plan: migration.MigrationPlan) -> TypeSizes | None:
-    """The sizes on the source of a plan, aligned to its int; None where the source is not known."""
-    return TypeSizes(plan.source, 0, int(plan.source.intBits) // _OCTET) if plan.source is not None else None
+    """The sizes on the source of a plan; None where the source is not known."""
+    return TypeSizes(plan.source, 0, _alignment(plan.source)) if plan.source is not None else None
+
+
+def _alignment(model: platform.Platform) -> int:
+    """The greatest alignment on a platform in bytes: members have gaps only if its processor reads words."""
+    return 1 if model.intBits < _READS_WORDS else int(model.intBits) // _OCTET
 
 
 def _up(bits: int, unit: int) -> int:

@@ -33,6 +33,8 @@ from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 _STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]
 FUNCTION_KINDS = (cursor_kinds.FUNCTION_DECL, cursor_kinds.CXX_METHOD)
+_CLASS = re.compile(r"(\w+)\s*(?:<[^()]*>\s*)?::\s*~?\w+\s*$")
+"""The class in front of a method's name."""
 _TAGS = frozenset({"struct", "union", "enum", "class"})
 
 
@@ -83,7 +85,8 @@ class Linker:
             function = element if isinstance(element, ccode.Function) else None
             name = str(call.calleeName)
             if function is None or not function.definition:
-                function = self._own(number, name) or self._of_unit(number, context, cursor, name) or function
+                whole = qualified(context.lib, cursor, name)
+                function = self._own(number, whole) or self._of_unit(number, context, cursor, whole) or function
             if function is not None:
                 connect(call, "callee", function)
                 continue
@@ -98,7 +101,7 @@ class Linker:
             self._sites.setdefault(name, []).append(CallSite(context, call, nodes.get(id(call))))
 
     def _own(self, number: int, name: str) -> ccode.Function | None:
-        """The program's own function of that name: a visible definition (the unit's own first), else a prototype."""
+        """The program's own function of that `qualified` name: a visible definition (the unit's own first), else a prototype."""
         own = self.own_functions[number].get(name)
         if own is not None and own.definition:
             return own
@@ -234,11 +237,28 @@ class Linker:
 
 
 def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Function]:
+    """The functions by their names, those of methods with their classes."""
     found: dict[str, ccode.Function] = {}
     for declaration in declarations:
-        if isinstance(declaration, ccode.Function) and (declaration.definition or declaration.name not in found):
-            found[str(declaration.name)] = declaration
+        if isinstance(declaration, ccode.Function):
+            of_class = _CLASS.search(str(declaration.signature or "").partition("(")[0])
+            name = f"{of_class[1]}::{declaration.name}" if of_class is not None else str(declaration.name)
+            if declaration.definition or name not in found:
+                found[name] = declaration
     return found
+
+
+def qualified(library: ClangLibrary, cursor: Cursor | None, name: str) -> str:
+    """The name of a function that is called; that of a method with its class, since other classes may have one of that name.
+
+    Args:
+        library: libclang.
+        cursor: the function's declaration, if the parser knows it.
+        name: its own name.
+    """
+    if cursor is None or cursor.kind != cursor_kinds.CXX_METHOD:
+        return name
+    return f"{library.text(library.getCursorSpelling(library.getCursorSemanticParent(cursor)))}::{name}"
 
 
 def _values_of_headers(

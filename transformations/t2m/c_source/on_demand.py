@@ -28,7 +28,7 @@ from robosmi.model.elements.structure import root_of
 from robosmi.model.on_demand import Promise, settle
 from robosmi.project import default_text
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source.linking import Linker
+from robosmi.transformations.t2m.c_source.linking import Linker, qualified
 from robosmi.transformations.t2m.c_source.on_demand_unit import Linked, Unit, in_building_order
 from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.sources import is_cplusplus_program, source_files
@@ -190,7 +190,8 @@ class OnDemandProgram(TypedModel):
         if cursor is None:
             return None
         if isinstance(element, ccode.Call) and name == "callee":
-            return self._function(unit, str(element.calleeName), unit.declared(cursor))
+            name = qualified(unit.context.lib, cursor, str(element.calleeName))
+            return self._function(unit, name, unit.declared(cursor))
         if not isinstance(element, ccode.NameReference) or name != "target":
             return None
         top: Element | None = element

@@ -109,6 +109,20 @@ def test_pins_without_a_drawing_are_proposed_by_abilities_and_left_to_approve(tm
     assert len(tasks(outcome, "RS347")) == 1
 
 
+def test_methods_of_one_name_are_told_apart_by_their_classes(tmp_path: Path) -> None:
+    said = ("--bind", "D4=GP20", "--bind", "D5=GP21", "--bind", "D7=GP22")
+    outcome = migrated("wrapped", tmp_path, *said)
+    assert outcome.code == 0
+    assert changed(tmp_path, "wrapped") == {
+        22: "  leg.attach(20, 21);",
+        23: "  lamp.attach(6, 22);",
+        28: "  lamp.set(22);",
+        33: "  hip.attach(pin, 544, 2400);",
+        38: "  Serial.begin(speed * 100L); while (!Serial && millis() < 3000) {}",
+    }
+    assert not [finding for finding in outcome.document["findings"] if finding["rule"] in ("RS341", "RS345")]
+
+
 def test_a_task_is_gone_once_persons_have_said_all_pins(tmp_path: Path) -> None:
     outcome = migrated("tabs", tmp_path, "--bind", "LAMP=GP9")
     assert outcome.code == 0

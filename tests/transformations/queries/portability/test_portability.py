@@ -106,3 +106,12 @@ def test_the_project_file_names_the_board(tmp_path: Path) -> None:
     (sketch.parent / "robosmi.toml").write_text("[migrate]\nfrom = 'mega'\n")
     outcome = run("analyse", sketch, "--target", "pico", "--json")
     assert (outcome.result["board"], outcome.result["portability"]) == ("mega", [])
+
+
+def test_each_register_of_an_uno_says_what_it_is_for() -> None:
+    facts = portability_facts("arduino")
+    assert facts is not None
+    assert not [name for name in sorted(facts.microcontrollers["atmega328p"].registers) if not facts.meaning(name)]
+    assert "timer 1" in facts.meaning("OCR1BH")
+    assert facts.meaning("TWCR") != facts.meaning("TWBR")
+    assert facts.meaning("NONE") == ""

@@ -24,6 +24,7 @@ _SURE = re.compile(
     |function\ definition\ is\ not\ allowed\ here|comparison\ (?:of\ distinct\ pointer\ types|between\ pointer\ and\ integer)
     |cannot\ initialize\ an?\ (?:parameter|variable|member\ subobject|array\ element|return\ object)
     |assigning\ to\ {_NAMED}\ from\ (?:incompatible\ type\ )?{_NAMED}$|cannot\ cast\ from\ type
+    |cast\ from\ pointer\ to\ smaller\ type
     |indirection\ requires\ pointer\ operand|member\ reference\ base\ type\ {_NAMED}\ is\ not\ a\ structure
     |cannot\ jump\ from|default\ initialization\ of\ an\ object\ of\ const|static\ declaration\ of\ {_NAMED}\ follows\ non-static
     |conflicting\ types\ for|variable-sized\ object\ may\ not\ be\ initialized|array\ is\ too\ small\ to\ include

@@ -19,6 +19,8 @@ Lamp lamp(buzzerPin);
 Reading reading;
 char text[8], copy[8];
 volatile int count;
+void (*restart)() = 0;
+void (*later)() = 0;
 
 void counted() { count++; }
 ISR(TIMER1_COMPA_vect) { count++; }          // isr_vector
@@ -49,5 +51,9 @@ void loop() {
   count = analogRead(0) + analogRead(A1);    // analog_pin_number
   count += analogRead(A5);                   // analog_pin_above_A3
   tone(8, pgm_read_byte(&table[0]));         // tone progmem
+  *portOutputRegister(digitalPinToPort(8)) = 0; // pin_register
+  later = counted;
+  later();
+  restart();                                 // call_of_null
   Serial.println(F("PORTB sei() EEPROM.read tone(1)"));
 }

@@ -5,8 +5,8 @@ void setup() {
   pinMode(9, OUTPUT);
 
 
-  servo1A.attach(9, 200, 3000);
-  servo1A.writeMicroseconds(1500);
+  servo1A.attach(9, 200, 3000, 1500);
+
 }
 
 void loop() {

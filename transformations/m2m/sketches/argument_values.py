@@ -1,0 +1,130 @@
+"""Arguments mean on the target what they mean on their own board: values that are told by their type or by a bare number.
+
+`write(0)` may be a byte or a text, `EEPROM.put(2, 500)` stores as many bytes as the value has, `println(round(x))` prints two
+decimals where `round` is no macro, and the number of an interrupt's mode is another one on other cores.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.replacements import Replacement, inserted
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
+from robosmi.transformations.queries.numbers import COMPARISONS
+
+_RULE = "argument-value"
+_OVERLOADED = frozenset(["print", "println"])
+
+
+def argument_values(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of zeros that are written, of modes of interrupts, and of results that are whole numbers on the source board."""
+    yield from _zeros(sketch)
+    yield from _modes(sketch)
+    yield from _whole_results(sketch)
+
+
+def _zeros(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of the arguments of `write` that are a literal 0, or a macro for it."""
+    objects = frozenset(sketch.facts.writes_bytes)
+    zeros = {str(macro.name) for view in sketch.views for macro in view.unit.macros if _is_zero(str(macro.body or ""))}
+    for view in sketch.views if objects else ():
+        for call in _called(view, "write"):
+            if _owner(call) not in objects or len(call.arguments) != 1:
+                continue
+            given = call.arguments[0]
+            literal = isinstance(given, ccode.IntegerLiteral) and not given.value
+            if literal or (isinstance(given, ccode.NameReference) and given.name in zeros):
+                reason = "0 is the byte here, and no text"
+                yield SketchEdit(given, "zero-byte", reason, (inserted(int(given.startOffset), "(uint8_t)"),))
+
+
+def _modes(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of the modes of interrupts that are written as a number: another core has other numbers."""
+    modes = sketch.facts.interrupt_modes
+    for view in sketch.views if modes else ():
+        for call in _called(view, "attachInterrupt"):
+            given = call.arguments[2] if len(call.arguments) > 2 and not _owner(call) else None
+            if isinstance(given, ccode.IntegerLiteral) and 0 <= int(given.value) < len(modes):
+                change = Replacement(int(given.startOffset), int(given.endOffset), modes[int(given.value)])
+                yield SketchEdit(given, _RULE, f"{given.value} is this mode on its own board", (change,))
+
+
+def _whole_results(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of calls that give a whole number on the source board only, where what takes the result does not convert it."""
+    for name in sketch.facts.real_results:
+        for view in sketch.views:
+            own = [function for function in view.of_kind(ccode.Function) if function.name == name]
+            for call in _called(view, name) if not own else ():
+                if not _owner(call) and not _converts(call):
+                    reason = f"'{name}' gives a whole number on its own board"
+                    yield SketchEdit(call, _RULE, reason, (inserted(int(call.startOffset), "(long)"),))
+
+
+def _converts(call: ccode.Call) -> bool:
+    """Whether what takes a result gives the same for a whole number and for a real one that has its value."""
+    outer = call.eContainer()
+    if isinstance(outer, ccode.Binary):
+        other = outer.right if outer.left is call else outer.left
+        return outer.operator in COMPARISONS or isinstance(other, ccode.FloatingLiteral)
+    if isinstance(outer, ccode.Call) and str(outer.calleeName) not in _OVERLOADED:
+        at = next((number for number, argument in enumerate(outer.arguments) if argument is call), -1)
+        known = outer.callee.parameters if outer.callee is not None else ()
+        return 0 <= at < len(known)
+    plain = isinstance(outer, ccode.Assignment) and outer.operator == "="
+    return plain or isinstance(outer, (ccode.Variable, ccode.Cast, ccode.Return, ccode.Index, ccode.ExpressionStatement))
+
+
+def stored_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit]:
+    """The edits of values without a variable that are stored in the EEPROM, which takes as many bytes as their type has.
+
+    The types of variables change where they are declared (`object_bytes`).
+    """
+    if "EEPROMClass" not in sketch.facts.methods:
+        return
+    for view in sketch.views:
+        for call in _called(view, "put"):
+            given = call.arguments[1] if len(call.arguments) == 2 and _owner(call) == "EEPROM" else None
+            kind = _type_there(given, values)
+            if given is not None and kind:
+                start, end = int(given.startOffset), int(given.endOffset)
+                reason = "it is stored in the bytes that it has on its own board"
+                yield SketchEdit(given, _RULE, reason, (inserted(start, f"({kind})("), inserted(end, ")")))
+
+
+def _type_there(given: ccode.Expression | None, values: WrappedValues) -> str:
+    """The type that gives a value its own size; empty for one that has it, and for variables."""
+    place = given
+    while isinstance(place, (ccode.Index, ccode.Member)):
+        place = place.array if isinstance(place, ccode.Index) else place.object
+    if isinstance(place, ccode.NameReference) and isinstance(place.target, (ccode.Variable, ccode.Parameter, ccode.Field)):
+        return ""
+    if isinstance(given, ccode.CharacterLiteral):  # a char, other than in C
+        return ""
+    number = values.number(given)
+    if isinstance(given, ccode.FloatingLiteral) or (number is not None and number.real):
+        return "float"
+    bits = values.here.int_bits
+    if number is None or number.fixed or number.bits != bits:
+        return ""
+    return f"{'' if number.signed else 'u'}int{bits}_t"
+
+
+def _called(view: CodeView, name: str) -> Sequence[ccode.Call]:
+    return [call for call in view.of_kind(ccode.Call) if call.calleeName == name and not call.viaMacro]
+
+
+def _owner(call: ccode.Call) -> str:
+    """The object whose method is called; empty for a function."""
+    member = call.calleeExpression
+    owner = member.object if isinstance(member, ccode.Member) else None
+    return str(owner.name) if isinstance(owner, ccode.NameReference) else ""
+
+
+def _is_zero(body: str) -> bool:
+    try:
+        return not int(body.strip("() "), 0)
+    except ValueError:
+        return False
