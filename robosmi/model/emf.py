@@ -18,6 +18,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node, refuse_unknown_attribute
 from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.elements.element_factory import as_data, new as new, refuse_unnamed, unlink
@@ -237,7 +238,8 @@ class EmfModel(TypedModel):
     def _everything(self) -> list[DynamicEObject]:
         self._check_roots()
         if self._watch.changed:
-            self._all = [element for root in self._roots.values() for element in walk(root)]
+            with collector_at_rest():
+                self._all = [element for root in self._roots.values() for element in walk(root)]
             self._extents.clear()
             self._ids = None
             self._watch.changed = False
