@@ -161,7 +161,7 @@ class ETL(Settings):
         running = Demand(bound, trace) if demand else Match(bound, trace)
         for module in modules:
             module.trace, module.warnings, module._running = trace, warnings, running
-        with run_over(used), collector_at_rest():
+        with run_over(used), collector_at_rest(makes_models=True):
             for module in modules:
                 module.pre.run("pre")
             running.run()

@@ -166,6 +166,8 @@ def test_many_new_objects_are_old_after_a_load_and_are_collected_all_the_same(mo
     assert there() is not None, "it is old"
     monkeypatch.setattr(compact_slots, "_aged", 41 * compact_slots._MANY)
     with compact_slots.collector_at_rest():
+        assert there() is not None
+    with compact_slots.collector_at_rest(makes_models=True):
         assert there() is None
     assert gc.isenabled()
     gc.freeze()  # as tests are run

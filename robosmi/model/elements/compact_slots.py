@@ -352,18 +352,22 @@ _aged = 0  # objects that became old at once since the last collection of them
 
 
 @contextmanager
-def collector_at_rest() -> Iterator[None]:
+def collector_at_rest(makes_models: bool = False) -> Iterator[None]:
     """Context manager: suspends cyclic garbage collection, since elements form many cycles that are no garbage yet.
 
     Many objects that were made meanwhile are old afterwards. As young ones the collector would examine them three times at once.
-    Of old ones it knows no number to tell when it is time, so the next block counts them and collects first.
+    Of old ones it knows no number to tell when it is time, so they are counted here, and the next block that makes models
+    collects first.
+
+    Args:
+        makes_models: whether the block makes models, in place of such as may be garbage by now.
     """
     global _aged
     if not gc.isenabled():
         yield
         return
     gc.disable()
-    if _aged > 40 * _MANY:
+    if makes_models and _aged > 40 * _MANY:
         gc.collect()
         _aged = 0
     try:

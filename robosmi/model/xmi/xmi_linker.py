@@ -59,11 +59,24 @@ class XmiLinker:
         self._found: dict[int, dict[str, DynamicEObject]] = {}
         self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
 
-    def link(self, document: Document) -> None:
-        """Resolve the references of a document; `finish` must follow when all documents are linked."""
-        found, ids = self._found.setdefault(id(document), {}), document.ids
+    def contain(self, document: Document) -> None:
+        """Put the parts of a document that lie in other files into their containers, and open all files that it refers to.
+
+        References may lead through such parts, so this comes first for all documents.
+        """
+        self._found.setdefault(id(document), {})
         for owner, entry, link, line, place in document.parts:
             self._contain(document, owner, entry, link, line, place)
+        for _, _, text, line, whole in document.references:
+            if "#" in text and text not in document.ids:
+                for link in [text] if whole else self._several(document, text):
+                    file = link.partition("#")[0] if "#" in link else ""
+                    if file:
+                        self.open_file(document, file, line)
+
+    def link(self, document: Document) -> None:
+        """Resolve the references of a document; `finish` must follow when all documents are linked."""
+        found, ids = self._found[id(document)], document.ids
         for owner, entry, text, line, whole in document.references:
             if not entry.many:
                 target = ids.get(text) or found.get(text)
