@@ -12,6 +12,7 @@ import threading
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
+from robosmi.model.elements.construct import RECORDINGS
 from robosmi.model.elements.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue, Scalar
 from robosmi.model.elements.pyecore_internals import (
     ASSIGN,
@@ -69,9 +70,11 @@ class Recording:
         for cls, name in [*places, (Element, "__init__")]:
             self._wrapped.append((cls, name, cls.__dict__.get(name)))
             setattr(cls, name, self._wrapper(getattr(cls, name), name in _OWN))
+        RECORDINGS.add(self)
         return self
 
     def __exit__(self, *_: object) -> None:
+        RECORDINGS.discard(self)
         for cls, name, original in reversed(self._wrapped):
             if original is None:
                 delattr(cls, name)

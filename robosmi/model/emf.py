@@ -18,12 +18,13 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node, refuse_unknown_attribute
 from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.elements.element_factory import as_data, new as new, refuse_unnamed, unlink
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
 from robosmi.model.elements.home import Home, Watch, home_of
-from robosmi.model.elements.pyecore_internals import own_resource_of
+from robosmi.model.elements.pyecore_internals import container_of, own_resource_of
 from robosmi.model.elements.structure import contents, resource_of, root_of, walk
 
 if TYPE_CHECKING:
@@ -129,6 +130,9 @@ class EmfModel(TypedModel):
             return model
         if roots is None:
             roots = next(iter(documents.values())).roots
+        for root in roots:  # a part of an element in a file that it refers to is a root of its own file all the same
+            if container_of(root) is not None and home_of(root) is None:
+                Home(None, place).add(root)
         packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         model._open_files = open_files
@@ -237,7 +241,8 @@ class EmfModel(TypedModel):
     def _everything(self) -> list[DynamicEObject]:
         self._check_roots()
         if self._watch.changed:
-            self._all = [element for root in self._roots.values() for element in walk(root)]
+            with collector_at_rest():
+                self._all = [element for root in self._roots.values() for element in walk(root)]
             self._extents.clear()
             self._ids = None
             self._watch.changed = False

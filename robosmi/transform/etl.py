@@ -15,6 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar, cast, overload
 
 from robosmi.errors import UsageError, did_you_mean
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.driver import Model, TypeHandle
 from robosmi.model.elements.ordering import post_order
 from robosmi.query.collections import Q
@@ -160,7 +161,7 @@ class ETL(Settings):
         running = Demand(bound, trace) if demand else Match(bound, trace)
         for module in modules:
             module.trace, module.warnings, module._running = trace, warnings, running
-        with run_over(used):
+        with run_over(used), collector_at_rest(makes_models=True):
             for module in modules:
                 module.pre.run("pre")
             running.run()

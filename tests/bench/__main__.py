@@ -22,6 +22,7 @@ NAMES = (
     "recommend",
     "drawings",
     "xmi",
+    "large",
     "rules",
     "query",
     "generate",

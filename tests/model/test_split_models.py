@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 from robosmi.chain import read_chain
-from robosmi.errors import ModelError
+from robosmi.errors import ModelError, SourceError
 from robosmi.model import EmfModel, Session, open_model
+from robosmi.model.ecore.metamodel import Metamodel
 from tests.emf_judge import judge
 
 CASES = Path(__file__).parent / "split"
@@ -136,3 +137,30 @@ def test_nothing_is_written_when_one_model_cannot_be(folder: Path) -> None:
         s.save_all()
     assert {path.name: path.read_bytes() for path in folder.glob("*.xmi")} == before
     assert os.listdir(folder).count("p.xmi") == 1
+
+
+@pytest.mark.parametrize("first", ["part.xmi", "whole.xmi"])
+def test_a_part_that_refers_to_itself_through_the_whole_is_opened_from_both_sides(folder: Path, first: str) -> None:
+    session = Session()
+    opened = session.open_model(folder / "circle" / first, metamodel=folder / "g.ecore")
+    assert opened.findings == []
+    part = session.open_model(folder / "circle" / "part.xmi", metamodel=folder / "g.ecore")
+    assert part.Edge.all[0].target is part.Node.all[0]
+    assert part.roots[0].eContainer().name == "whole"
+    assert [path.name for path in session.save_all()] == ["part.xmi"]
+    assert '<edges name="e" target="//@nodes.0"/>' in (folder / "circle" / "part.xmi").read_text(), "as EMF writes it"
+    part.touched()
+    part.Node.all[0].name = "m"
+    assert part.touched()
+    assert [path.name for path in session.save_all()] == ["part.xmi"]
+
+
+def test_of_many_namespaces_a_message_names_the_nearest(folder: Path) -> None:
+    text = (folder / "g.ecore").read_text()
+    for number in range(21):
+        (folder / f"m{number}.ecore").write_text(text.replace('"http://example.org/g"', f'"http://example.org/{number}/g"'))
+    (folder / "g.ecore").unlink()
+    with pytest.raises(SourceError) as error:
+        open_model(folder / "ok.xmi", metamodel=Metamodel.load(folder))
+    assert error.value.fix.endswith(", and 16 more")
+    assert error.value.fix.count("http://example.org/") == 5

@@ -9,7 +9,7 @@ XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -201,14 +201,17 @@ def collection(owner: EObject, feature: EStructuralFeature) -> Any:
         made = FeatureCollection.create(owner, feature)
         made.birth = None
         return made
-    made = form[0].__new__(form[0])
+    kind, is_ref, is_cont, is_born = form
+    made = kind.__new__(kind)
     made.owner = owner
     made.feature = feature
-    _, made.is_ref, made.is_cont, is_born = form
-    made.generic_type = None
-    if form[0] is FeatureOrderedSet:
+    if not is_ref:  # else as the class has it
+        made.is_ref = False
+    if is_cont:
+        made.is_cont = True
+    if kind is FeatureOrderedSet:
         empty_ordered_set(made)
-    made.birth = (owner, feature) if is_born and form[0] is FeatureOrderedSet else None
+    made.birth = (owner, feature) if is_born and kind is FeatureOrderedSet else None
     return made
 
 
@@ -315,6 +318,16 @@ def prepare(cls: type) -> None:
         setattr(cls, name, _Own(getattr(cls, name, None), of_element))
 
 
+def share_keys(cls: type, keys: Iterable[str]) -> None:
+    """Let the elements of a class share one table of the keys of their slots, which takes a quarter of the memory.
+
+    Python adds keys to such a table with the first few elements only, and references are set when all elements are there.
+    """
+    slots = _new(cls).__dict__
+    for key in (IDENTITY, CONTAINER, CONTAINING_FEATURE, "_birth", *keys):
+        slots[key] = None
+
+
 def repair_default(feature: EStructuralFeature, datatype: EDataType) -> None:
     """Make pyecore give an attribute EMF's default, where its own is wrong: literals by their text, zero of small types."""
     literal = feature.defaultValueLiteral
@@ -334,13 +347,35 @@ def _literal_of(enum: EEnum) -> Callable[[str], EEnumLiteral | None]:
     return find
 
 
+_MANY = 50_000  # new objects: fewer are left to the collector as they are
+_aged = 0  # objects that became old at once since the last collection of them
+
+
 @contextmanager
-def collector_at_rest() -> Iterator[None]:
-    """Context manager: suspends cyclic garbage collection, since elements form many cycles that are no garbage yet."""
-    was_on = gc.isenabled()
+def collector_at_rest(makes_models: bool = False) -> Iterator[None]:
+    """Context manager: suspends cyclic garbage collection, since elements form many cycles that are no garbage yet.
+
+    Many objects that were made meanwhile are old afterwards. As young ones the collector would examine them three times at once.
+    Of old ones it knows no number to tell when it is time, so they are counted here, and the next block that makes models
+    collects first.
+
+    Args:
+        makes_models: whether the block makes models, in place of such as may be garbage by now.
+    """
+    global _aged
+    if not gc.isenabled():
+        yield
+        return
     gc.disable()
+    if makes_models and _aged > 40 * _MANY:
+        gc.collect()
+        _aged = 0
     try:
         yield
     finally:
-        if was_on:
-            gc.enable()
+        made = gc.get_count()[0]
+        if made > _MANY and not gc.get_freeze_count():  # else somebody's frozen objects would thaw
+            _aged += made
+            gc.freeze()
+            gc.unfreeze()  # into the oldest generation
+        gc.enable()

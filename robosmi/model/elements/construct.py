@@ -1,9 +1,9 @@
-"""Fast construction of model elements, which stores values directly in pyecore's slots.
+"""Fast construction and change of model elements, which stores values directly in pyecore's slots.
 
 pyecore's own setters create a notification and walk to the root of the model for every value: 60 to 120 microseconds an object.
 A new element has no listener and no container, so the notifications have no effect; here only the checks remain (measured: five
-times faster). Most references with an opposite are supported; the others, and elements that are already contained elsewhere,
-use pyecore's setters. Only `Element` uses this module.
+times faster). So it is with elements in no model (`is_quiet`). Most references with an opposite are supported; the others, and
+elements that are already contained elsewhere, use pyecore's setters. Only `Element` uses this module.
 """
 
 from __future__ import annotations
@@ -13,19 +13,29 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError
 from robosmi.model.elements import compact_slots, ecore
-from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, features_fixed, new_slot, note_link
+from robosmi.model.elements.compact_slots import (
+    REFUSAL,
+    ContainedValue,
+    ReferenceValue,
+    collection,
+    features_fixed,
+    new_slot,
+    note_link,
+)
 from robosmi.model.elements.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
 from robosmi.model.elements.feature_errors import unknown_feature
+from robosmi.model.elements.feature_values import added_by
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,
     CONTAINING_FEATURE,
+    FIRST_LISTENERS,
     INVERSE_REFERENCES,
     SET_FEATURES,
     container_of,
     key_of,
     own_resource_of,
 )
-from robosmi.model.elements.structure import disconnect
+from robosmi.model.elements.structure import disconnect, resource_of, root_of
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Slots
@@ -59,6 +69,8 @@ _PYTHON: dict[EClassifier, type] = {
     ecore.EDouble: float,
 }
 _PLANS: dict[type, Plan] = {}
+RECORDINGS: set[object] = set()
+"""What has to see each change in pyecore's methods; as long as there is one, no change is quiet."""
 
 
 def initialise(element: EObject, features: dict[str, Any]) -> None:
@@ -91,6 +103,65 @@ def initialise(element: EObject, features: dict[str, Any]) -> None:
         raise
     if SET_FEATURES in slots:  # else it is read off the slots when somebody asks
         slots[SET_FEATURES].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
+
+
+def is_quiet(element: EObject) -> bool:
+    """Whether an element may change and nobody is notified: it is not read-only, has no listeners, and is in no model."""
+    slots = element.__dict__
+    if RECORDINGS or REFUSAL in slots or slots.get("listeners") or slots.get(FIRST_LISTENERS):
+        return False
+    return resource_of(element) is None
+
+
+def _is_quiet_element(value: Any) -> bool:
+    return features_fixed(value.__class__) and is_quiet(value)
+
+
+def assign(element: EObject, name: str, value: Any) -> bool:
+    """Set a feature of a quiet element that is not set yet, or a plain value; False if that is left to pyecore's setter."""
+    slots, cls = element.__dict__, element.__class__
+    entry = (_PLANS.get(cls) or _plan(cls)).get(name)
+    if entry is None or value is None or not is_quiet(element):
+        return False
+    bare, key, feature, put, known = entry
+    present = slots.get(key)
+    if getattr(cls, name) is not feature:  # a mixin has it
+        return False
+    if value.__class__ is bare and (present is None or present.__class__ is bare):
+        slots[key] = value
+    elif (
+        present is not None
+        or not (put is _put_literal or (put is _put_one_of_many and _is_quiet_element(value)))
+        or not put(element, slots, key, feature, known, value)
+    ):
+        return False
+    if SET_FEATURES in slots:
+        slots[SET_FEATURES][feature] = None
+    return True
+
+
+def add(many: Any, value: Any) -> bool:
+    """Add a part to a collection of a quiet element; False if that is left to pyecore's collection."""
+    element, feature = many.owner, many.feature
+    plan = _PLANS.get(element.__class__)
+    entry = plan.get(key_of(feature)) if plan is not None else None
+    if entry is None or entry[2] is not feature or not is_quiet(element) or not _is_quiet_element(value):
+        return False
+    known = entry[4]
+    if root_of(element) is value:
+        return False  # pyecore's collection refuses the circle
+    if entry[3] is _put_parts:
+        if not _add_part(element, many, feature, known, value):
+            return False
+    elif entry[3] is _put_many and known.contains and value not in many.map:
+        if not _adopt(element, feature, known, value, many.birth or (element, feature)):
+            return False
+        many.map[value] = len(many.items)
+        many.items.append(value)
+    else:
+        return False
+    _set(element.__dict__, feature)
+    return True
 
 
 def connect(element: EObject, name: str, value: Any) -> None:
@@ -176,6 +247,7 @@ def _plan(cls: type) -> Plan:
             plan[name] = (bare, key_of(feature), feature, put, kind)
             if bare is not None and key_of(feature) == name:
                 plan.bare[name] = bare
+    compact_slots.share_keys(cls, [entry[1] for entry in plan.values()])
     _PLANS[cls] = plan
     return plan
 
@@ -250,22 +322,24 @@ def _put_parts(
 ) -> bool:
     """Store a many-valued containment whose opposite is single-valued: sets the container reference of the parts."""
     many = slots[name] = collection(element, feature)
-    items, positions = many.items, many.map
-    back, key = known.back, known.back_key
     for value in values:
-        if value in positions:
-            continue
-        fresh = value.__class__ in known.classes or known.takes(value)
-        if not fresh or container_of(value) is not None or own_resource_of(value) is not None or key in value.__dict__:
+        if value not in many.map and not _add_part(element, many, feature, known, value):
             many.append(value)
-            continue
-        own = value.__dict__
-        own[CONTAINER] = element
-        own[CONTAINING_FEATURE] = feature
-        own[key] = new_slot(ReferenceValue, value, back, element)
-        _set(own, back)
-        positions[value] = len(items)
-        items.append(value)
+    return True
+
+
+def _add_part(element: EObject, many: Any, feature: EStructuralFeature, known: _Known, value: Any) -> bool:
+    """Store a part that is in no container yet, with its container reference; whether it is one."""
+    own = value.__dict__
+    fresh = value.__class__ in known.classes or known.takes(value)
+    if not fresh or container_of(value) is not None or own_resource_of(value) is not None or known.back_key in own:
+        return False
+    own[CONTAINER] = element
+    own[CONTAINING_FEATURE] = feature
+    own[known.back_key] = new_slot(ReferenceValue, value, known.back, element)
+    _set(own, known.back)
+    many.map[value] = len(many.items)
+    many.items.append(value)
     return True
 
 
@@ -288,3 +362,6 @@ def _set(slots: Slots, feature: EStructuralFeature) -> None:
     """Record that a feature was set, unless the set features are computed on demand."""
     if SET_FEATURES in slots:
         slots[SET_FEATURES][feature] = None
+
+
+added_by(add)

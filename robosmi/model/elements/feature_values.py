@@ -8,7 +8,7 @@ and `count`, which return plain lists or take no function there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
@@ -87,10 +87,32 @@ class Queried(Queryable):
 
 
 def _class(name: str, base: type, said: str) -> Any:
-    return type(name, (Queried, base), {"__doc__": said, "__module__": __name__})
+    common = {"is_ref": True, "is_cont": False, "generic_type": None, "birth": None}  # of most, not in each
+    return type(name, (Queried, base), {"__doc__": said, "__module__": __name__, **common})
 
 
 FeatureOrderedSet: Any = _class("FeatureOrderedSet", EOrderedSet, "Unique values in order.")
+
+
+def added_by(add: Callable[[Any, Any], bool]) -> None:
+    """Register the function that adds a value without pyecore where it can (`construct.add`)."""
+
+    def added(self: Any, value: Any, update_opposite: bool = True) -> None:
+        """Add a value at the end."""
+        if not update_opposite or not add(self, value):
+            EOrderedSet.add(self, value, update_opposite)
+
+    def extended(self: Any, values: Iterable[Any]) -> None:
+        """Add values at the end."""
+        pending = iter(values)
+        rest = next(([value, *pending] for value in pending if not add(self, value)), None)
+        if rest is not None or not len(self):
+            EOrderedSet.extend(self, rest or ())
+
+    FeatureOrderedSet.add = FeatureOrderedSet.append = added
+    FeatureOrderedSet.extend = FeatureOrderedSet.update = extended
+
+
 FeatureSet: Any = _class("FeatureSet", ESet, "Unique values in no order.")
 FeatureList: Any = _class("FeatureList", EList, "Values in order.")
 FeatureBag: Any = _class("FeatureBag", EBag, "Values in no order.")

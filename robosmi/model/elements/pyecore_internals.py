@@ -16,7 +16,7 @@ The facts, in the order of this module:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from operator import attrgetter, methodcaller
 from typing import TYPE_CHECKING, Any, TypeGuard
 
@@ -165,7 +165,6 @@ def set_xmi_id(element: Any, identity: str | None) -> None:
 
 def empty_ordered_set(collection: Any) -> None:
     """Make an ordered set that was made without its constructor ready for use."""
-    collection._orderedset_update = False
     collection.items = []
     collection.map = {}
 
@@ -184,6 +183,13 @@ def add_silently(collection: Any, value: Scalar) -> bool:
     collection.map[value] = len(collection.items)
     collection.items.append(value)
     return True
+
+
+def fill_ordered_set(collection: Any, values: Iterable[Scalar]) -> None:
+    """Add values to an empty ordered set, without check, opposite and notification."""
+    collection.map = positions = dict.fromkeys(values)
+    collection.items = [*positions]
+    positions.update(zip(collection.items, range(len(positions)), strict=True))
 
 
 def fill_silently(collection: Any, values: Sequence[Scalar]) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from robosmi.errors import ModelError
 from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import is_prepared, prepare
-from robosmi.model.elements.construct import initialise
+from robosmi.model.elements.construct import assign, initialise
 from robosmi.model.elements.containment_order import all_contents, contents
 from robosmi.model.elements.feature_errors import (
     FeatureValueError,
@@ -120,6 +120,8 @@ class Element(_Base):
                 raise unknown_feature(self, name)
             if expected is not None and value.__class__ is str:
                 raise literal_error(type(self).__name__, name, expected, value)
+            if assign(self, name, value):
+                return
             try:
                 object.__setattr__(self, name, value)
             except TypeError as error:

@@ -95,6 +95,7 @@ class ClassPlan:
         compact_slots.prepare(self.cls)
         for feature in features.all_features(eclass):
             self._add(feature)
+        compact_slots.share_keys(self.cls, [entry.key for entry in self.entries.values() if entry.key])
 
     def _add(self, feature: EStructuralFeature) -> None:
         name = str(feature.name)

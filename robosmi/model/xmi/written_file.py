@@ -56,14 +56,16 @@ class WrittenFile:
             ModelError: it is in no file, or its id would be read as a path.
         """
         known = self.found.get(id(target))
-        if known is not None:
-            return known
+        if known is None:
+            known = self.found[id(target)] = self.located(element, column, target)
+        return known
+
+    def located(self, element: EObject, column: Column, target: EObject) -> tuple[str, str]:
+        """The same, found anew."""
         if proxy_uri(target) is not None:
-            known = (self.name if is_local(target) else "", uri_from(target, self.places.folder))
-            self.found[id(target)] = known
-            return known
+            return self.name if is_local(target) else "", uri_from(target, self.places.folder)
         try:
-            known = self.found[id(target)] = self.places.find(target)
+            return self.places.find(target)
         except UnusableId as error:
             what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
             raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
@@ -71,7 +73,6 @@ class WrittenFile:
             what = f"refers to {shown(target)}, which is in none of the models that have a file"
             fix = "add the target to a model, save that model first so that it has a file, or remove the reference"
             raise self.problem(element, column, what, fix) from None
-        return known
 
     def check_container(self, element: EObject, column: Column, child: EObject) -> None:
         """Make sure that an element contains a child.

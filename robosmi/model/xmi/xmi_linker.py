@@ -16,11 +16,13 @@ from robosmi.model.ecore.xmi_document import Document
 from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, new_slot
 from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
+from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.pyecore_internals import (
     add_silently,
     contain,
     container_of,
+    fill_ordered_set,
     fill_silently,
     is_value,
     key_of,
@@ -57,14 +59,27 @@ class XmiLinker:
         self._found: dict[int, dict[str, DynamicEObject]] = {}
         self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
 
-    def link(self, document: Document) -> None:
-        """Resolve the references of a document; `finish` must follow when all documents are linked."""
-        found = self._found.setdefault(id(document), {})
+    def contain(self, document: Document) -> None:
+        """Put the parts of a document that lie in other files into their containers, and open all files that it refers to.
+
+        References may lead through such parts, so this comes first for all documents.
+        """
+        self._found.setdefault(id(document), {})
         for owner, entry, link, line, place in document.parts:
             self._contain(document, owner, entry, link, line, place)
+        for _, _, text, line, whole in document.references:
+            if "#" in text and text not in document.ids:
+                for link in [text] if whole else self._several(document, text):
+                    file = link.partition("#")[0] if "#" in link else ""
+                    if file:
+                        self.open_file(document, file, line)
+
+    def link(self, document: Document) -> None:
+        """Resolve the references of a document; `finish` must follow when all documents are linked."""
+        found, ids = self._found[id(document)], document.ids
         for owner, entry, text, line, whole in document.references:
             if not entry.many:
-                target = found.get(text)
+                target = ids.get(text) or found.get(text)
                 if target is None:
                     links = [text] if whole else self._one(document, text)
                     if len(links) > 1:
@@ -72,17 +87,17 @@ class XmiLinker:
                     target = self.target(document, links[0], line, owner, entry) if links else None
                     if target is None:
                         continue
-                if not entry.takes(target.__class__):
+                if target.__class__ not in entry.accepted and not entry.takes(target.__class__):
                     self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
                     continue
                 self._set(document, line, owner, entry, target)
                 continue
             targets: list[EObject] = []
             for link in [text] if whole else self._several(document, text):
-                target = found.get(link)
+                target = ids.get(link) or found.get(link)
                 if target is None and (target := self.target(document, link, line, owner, entry)) is None:
                     continue
-                if not entry.takes(target.__class__):
+                if target.__class__ not in entry.accepted and not entry.takes(target.__class__):
                     self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
                 else:
                     targets.append(target)
@@ -143,11 +158,17 @@ class XmiLinker:
         many = slots.get(entry.key)
         if many is None:
             many = slots[entry.key] = collection(owner, entry.feature)
-        for target in targets:
-            if add_silently(many, target) and entry.back is None:
-                compact_slots.note_link(target, (owner, entry.feature))
         if entry.back is not None:
+            if many.__class__ is FeatureOrderedSet and not many.items:
+                fill_ordered_set(many, targets)
+            else:
+                for target in targets:
+                    add_silently(many, target)
             self._two_sided.append((document, line, owner, entry, targets))
+            return
+        for target in targets:
+            if add_silently(many, target):
+                compact_slots.note_link(target, (owner, entry.feature))
 
     def finish(self) -> None:
         """Make both sides of all opposites agree."""
@@ -155,16 +176,16 @@ class XmiLinker:
             back = entry.back
             if back is None:
                 continue
-            key = key_of(back)
+            key, many = key_of(back), back.many
             for target in targets:
                 slot = target.__dict__.get(key)
-                if back.many:
+                if many:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
                     add_silently(slot, owner)
                 elif slot is None or target_in(slot) is None:
                     target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
-                elif target_in(slot) is not owner:
+                elif target_in(slot) is not owner:  # a file that EMF wrote has both sides
                     other = shown(target_in(slot))
                     self._wrong(
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"

@@ -158,7 +158,8 @@ class XmiLocations:
                 way = f"{way}{step.text}{index}"
             else:
                 way = f"{way}{step.text}{_rest(step, slot, child)}"
-            known[id(child)] = (file, way)
+            if child is not target:  # whoever asks keeps that
+                known[id(child)] = (file, way)
             one = child
         return file, way
 

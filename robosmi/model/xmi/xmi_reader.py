@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import os
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote
@@ -101,6 +102,16 @@ def _listed(problems: Problems) -> str:
     return f"{shown}\n  ... and {len(problems) - _SHOWN} more" if len(problems) > _SHOWN else shown
 
 
+def _nearest(uri: str, known: Sequence[str]) -> str:
+    """Known namespaces for a message: of many those that are most like the one that is not known."""
+    if len(known) <= _SHOWN:
+        return ", ".join(known)
+    import difflib  # wanted only when something is wrong
+
+    close = difflib.get_close_matches(uri, known, n=5) or known[:5]
+    return f"{', '.join(close)}, and {len(known) - len(close):,} more"
+
+
 def read_models(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, Any]:
     """Read a model file and the model files that it refers to, directly or through others; each has one root.
 
@@ -155,7 +166,7 @@ def read_documents(
         UnreadableModelError: a file is missing, is no XML or no XMI.
         DamagedModelError: a file contradicts its metamodel, or a reference leads nowhere. Both list all problems.
     """
-    with collector_at_rest():
+    with collector_at_rest(makes_models=True):
         reader = _Reader(metamodels, inside, opened, strict)
         reader.open(Path(os.path.realpath(path)), None)
         reader.link()
@@ -175,7 +186,7 @@ def read_alone(path: Path, data: bytes, metamodels: Metamodels) -> Document | No
     Returns:
         None if it cannot be read, or is a metamodel.
     """
-    with collector_at_rest():
+    with collector_at_rest(makes_models=True):
         reader = _Reader(metamodels, None, None, False)
         reader.texts = {path: data}
         document = reader.open(path, None)
@@ -290,7 +301,7 @@ class _Reader:
             for known in (each for each in current if each.rpartition("/")[0] == family):
                 return f"the model is of '{uri}', and this version of RoboSMi reads '{known}'", "migrate the program again"
         ways = "--metamodel X.ecore in a command, Metamodel.load('X.ecore') in Python"
-        return error.text, f"give its metamodel ({ways}); known namespaces: {', '.join(self.metamodels.uris())}"
+        return error.text, f"give its metamodel ({ways}); known namespaces: {_nearest(uri, self.metamodels.uris())}"
 
     def package(self, uri: Any) -> Any:
         """The package of a namespace, or None; the built-in metamodels are known beside those that were given."""
@@ -346,13 +357,15 @@ class _Reader:
             lambda document, line, text: self.problems.append((Location(str(document.path), line), text)),
             self.missing if not self.strict or (self.opened is not None and self.opened.hook is not None) else None,
         )
-        linked = 0
-        while linked < len(self.documents):
-            document = list(self.documents.values())[linked]
-            linked += 1
+        opened = 0
+        while opened < len(self.documents):
+            document = list(self.documents.values())[opened]
+            opened += 1
             if self.opened is not None:
                 files = (self._local(document.path, uri.partition("#")[0]) for _, _, uri, *_ in document.parts)
                 self.opened.leave(file for file in files if file is not None)
+            linker.contain(document)
+        for document in self.documents.values():
             linker.link(document)
         linker.finish()
 

@@ -140,7 +140,7 @@ class _Writer(WrittenFile):
         out: list[str] = []
         append = out.append
         layouts, nested = self.layouts.known, self.places.nested
-        held, inside, xmi_id = value_in, container_of, xmi_id_of  # local names are faster
+        held, inside, xmi_id, local = value_in, container_of, xmi_id_of, self.local  # local names are faster
         stack: list[tuple[Iterator[Piece], str, str]] = []
         work: Iterator[Piece] = iter(roots)
         while True:
@@ -179,6 +179,9 @@ class _Writer(WrittenFile):
                         if column.is_unsettable and not children:
                             later = self.nothing(element, column, None, append, indent, later)
                     elif kind == LINKS:
+                        if not column.many and (fragment := local.get(id(held(slot)))) is not None:
+                            append(f'{column.start}{fragment}"')
+                            continue
                         later = self.links(element, column, slot, append, indent, later)
                     else:
                         later = self.rarer(element, column, slot, append, indent, later)
@@ -324,7 +327,8 @@ class _Writer(WrittenFile):
     ) -> list[Piece] | None:
         """References: fragments in an attribute if all lead into this file, else elements with hrefs."""
         target = None if column.many else target_in(slot)
-        targets: Sequence[EObject] = slot if column.many else () if target is None else (target,)
+        many = slot.items if isinstance(slot, EOrderedSet) else slot
+        targets: Sequence[EObject] = many if column.many else () if target is None else (target,)
         if column.upper > 1:
             self.limit(element, column, targets)
         local = self.local
@@ -334,7 +338,7 @@ class _Writer(WrittenFile):
             if fragment is None:
                 if id(target) in self.elsewhere:
                     break
-                file, fragment = self.place(element, column, real(target))
+                file, fragment = self.located(element, column, real(target))  # kept in `local`
                 if file != self.name:
                     break
                 fragment = local[id(target)] = in_attribute(fragment)
