@@ -35,10 +35,11 @@ def test_an_editor_is_shown_findings_completions_and_choices(robot: Path) -> Non
         shown = dict[str, list[lsp.Diagnostic]]()
         news = asyncio.Event()
 
-        @client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
         def take(about: lsp.PublishDiagnosticsParams) -> None:
             shown[about.uri] = list(about.diagnostics)
             news.set()
+
+        client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
 
         async def until(rules: set[object], at: str) -> list[lsp.Diagnostic]:
             while {each.code for each in shown.get(at, ())} != rules:
@@ -89,7 +90,8 @@ def test_an_editor_is_shown_findings_completions_and_choices(robot: Path) -> Non
         path.write_text(edit.new_text)
         await client.shutdown_async(None)
         client.exit(None)
-        await client.stop()
+        stop: Any = client.stop  # without types
+        await stop()
 
     asyncio.run(talk())
     assert load_project(robot).bind == {"P26": "D13"}

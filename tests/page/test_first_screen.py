@@ -63,6 +63,10 @@ def test_the_first_screen_has_the_result_and_the_circuit(migrated: Any, serve: S
             )
             assert 0 <= top < page.script("return innerHeight") - 100, name
             assert bottom > top
+        height = "return document.documentElement.scrollHeight"  # with four open questions
+        assert page.script(height) <= 6.5 * 800
+        page.browser.set_window_size(390, 844)
+        assert page.script(height) <= 7.5 * 844
     finally:
         page.browser.set_window_size(1280, 900)
     assert page.script("return document.getElementById('result').dataset.result") == "needs-you"
