@@ -323,7 +323,7 @@ def share_keys(cls: type, keys: Iterable[str]) -> None:
 
     Python adds keys to such a table with the first few elements only, and references are set when all elements are there.
     """
-    slots = _new(cls).__dict__
+    slots: dict[str, Any] = _new(cls).__dict__
     for key in (IDENTITY, CONTAINER, CONTAINING_FEATURE, "_birth", *keys):
         slots[key] = None
 

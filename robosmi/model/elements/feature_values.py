@@ -96,18 +96,19 @@ FeatureOrderedSet: Any = _class("FeatureOrderedSet", EOrderedSet, "Unique values
 
 def added_by(add: Callable[[Any, Any], bool]) -> None:
     """Register the function that adds a value without pyecore where it can (`construct.add`)."""
+    pyecores: Any = EOrderedSet  # whose methods a recording replaces
 
     def added(self: Any, value: Any, update_opposite: bool = True) -> None:
         """Add a value at the end."""
         if not update_opposite or not add(self, value):
-            EOrderedSet.add(self, value, update_opposite)
+            pyecores.add(self, value, update_opposite)
 
     def extended(self: Any, values: Iterable[Any]) -> None:
         """Add values at the end."""
         pending = iter(values)
         rest = next(([value, *pending] for value in pending if not add(self, value)), None)
         if rest is not None or not len(self):
-            EOrderedSet.extend(self, rest or ())
+            pyecores.extend(self, rest or ())
 
     FeatureOrderedSet.add = FeatureOrderedSet.append = added
     FeatureOrderedSet.extend = FeatureOrderedSet.update = extended
