@@ -2,12 +2,13 @@
 
 A program that polls sees a change of an input at its next read. Where the change is just beside a read, one board sees it a pass
 earlier than the other, and neither is wrong. Moving all inputs by a pass of the source's own loop gives the run that the other
-board should have made: only if that is what the target did is the difference one of the instant alone.
+board should have made: only if that is what the target did is the difference one of the instant alone. Each of several changes
+may be seen earlier or later.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from msgspec.structs import replace
@@ -18,7 +19,7 @@ from robosmi.transformations.verification.bound_devices.varied_devices import MO
 from robosmi.transformations.verification.original_side import SETTLED, SourceRuns, channel_events
 from robosmi.transformations.verification.pause_comparison import observed_pauses
 from robosmi.transformations.verification.rest_comparison import observed_rests
-from robosmi.verify.original import LibraryCall, Original
+from robosmi.verify.original import LibraryCall, Original, OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.activity import READING, ActivityEvent
 from robosmi.verify.traces.alignment import numbers_of, shape_of
@@ -30,6 +31,8 @@ _LONGEST_PASS_MS = 200.0
 """A loop with longer passes is not taken for one that polls its inputs, in milliseconds."""
 _PARTS = (1.0, -1.0, 2 / 3, -2 / 3, 1 / 3, -1 / 3)
 """By which parts of a pass inputs are moved: the loops of two boards may stand anywhere in theirs when an input changes."""
+_BESIDE = 3
+"""How many changes may be the cause of a difference: an event ends, or begins, with one of those next to its beginning."""
 
 
 def longest_pass_ms(calls: Iterable[LibraryCall]) -> float:
@@ -42,10 +45,17 @@ def longest_pass_ms(calls: Iterable[LibraryCall]) -> float:
     return max((each for each in between if each <= _LONGEST_PASS_MS), default=0.0)
 
 
-def runs_a_pass_apart(
-    program: Original, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float
-) -> list[SourceRuns]:
-    """Runs of a scenario with all inputs up to a pass later or earlier; none where no input changes.
+def hangs_on_a_pass(
+    program: Original,
+    ports: Sequence[BoundPort],
+    scenario: Scenario,
+    runs: SourceRuns,
+    limit_s: float,
+    differs_at: Callable[[SourceRuns], float | None],
+) -> bool:
+    """Whether the source does what the target did if it sees the inputs of a scenario up to a pass of its loop earlier or later.
+
+    First all changes are moved alike, then, at each difference that is left, one of those beside it.
 
     Args:
         program: the original.
@@ -53,29 +63,57 @@ def runs_a_pass_apart(
         scenario: the scenario.
         runs: its runs so far.
         limit_s: seconds of processor time for each run.
+        differs_at: when the target first differs from a run of the source, in milliseconds; None if it does not.
     """
-    changes = (point[0] for settings in scenario.signals.values() for points in settings.values() for point in points)
-    if not any(float(at_ms) > 0 for at_ms in changes):
-        return []
+    points = (point for settings in scenario.signals.values() for points in settings.values() for point in points)
+    changes = sorted({float(at_ms) for at_ms, _ in points if float(at_ms) > 0})
+    if not changes:
+        return False
     devices, until_us = played(ports, scenario, target=False), scenario.horizon_ms * 1000
     pass_ms = longest_pass_ms(program.calls(devices, 0, until_us, limit_s))
     if pass_ms <= MOVED_MS:  # the varied runs of the scenario are moved as far
-        return []
-    found: list[SourceRuns] = []
-    for part in _PARTS:
-        moved = late_devices(devices, part * pass_ms)
-        run = program.run(until_us, moved, limit_s=limit_s, brief=brief_pins(ports, target=False))
-        if run.status in SETTLED:
-            seen = channel_events(run.trace, ports, target=False)
-            channels = {
-                name: [[_as_exact(events, runs.channels[name][sight][0])] for sight, events in enumerate(sights)]
-                for name, sights in seen.items()
-                if name in runs.channels
-            }
-            rests = {name: [each] for name, each in observed_rests(run.trace, ports, target=False).items()}
-            pauses = {name: [each] for name, each in observed_pauses(run.trace, ports, target=False).items()}
-            found.append(SourceRuns(run, (), channels, loop=runs.loop, rests=rests, pauses=pauses))
-    return found
+        return False
+
+    def found_at(moved: Mapping[float, float]) -> float | None:
+        if sorted(changes, key=lambda at_ms: at_ms + moved.get(at_ms, 0.0)) != changes:
+            return 0.0  # a change does not pass another
+        run = program.run(until_us, late_devices(devices, moved), limit_s=limit_s, brief=brief_pins(ports, target=False))
+        return differs_at(_as_runs(run, ports, runs)) if run.status in SETTLED else 0.0
+
+    if any(found_at(dict.fromkeys(changes, part * pass_ms)) is None for part in _PARTS):
+        return True
+    moved: dict[float, float] = {}
+    at_ms = found_at(moved)
+    while at_ms is not None:
+        tries = ({**moved, change: part * pass_ms} for change in _beside(changes, moved, at_ms) for part in _PARTS)
+        best, agrees_ms = moved, at_ms
+        for each in tries:
+            if (later_ms := found_at(each)) is None:
+                return True
+            if later_ms > agrees_ms:
+                best, agrees_ms = each, later_ms
+        if best is moved:
+            return False
+        moved, at_ms = best, agrees_ms
+    return True
+
+
+def _beside(changes: Iterable[float], moved: Mapping[float, float], at_ms: float) -> list[float]:
+    """The changes next to a time that are not moved yet."""
+    return sorted((each for each in changes if each not in moved), key=lambda each: abs(each - at_ms))[:_BESIDE]
+
+
+def _as_runs(run: OriginalRun, ports: Sequence[BoundPort], runs: SourceRuns) -> SourceRuns:
+    """A run of the source on the channels of others."""
+    seen = channel_events(run.trace, ports, target=False)
+    channels = {
+        name: [[_as_exact(events, runs.channels[name][sight][0])] for sight, events in enumerate(sights)]
+        for name, sights in seen.items()
+        if name in runs.channels
+    }
+    rests = {name: [each] for name, each in observed_rests(run.trace, ports, target=False).items()}
+    pauses = {name: [each] for name, each in observed_pauses(run.trace, ports, target=False).items()}
+    return SourceRuns(run, (), channels, loop=runs.loop, rests=rests, pauses=pauses)
 
 
 def _as_exact(events: Sequence[ActivityEvent], known: Sequence[ActivityEvent]) -> list[ActivityEvent]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.scenario_verdicts import looked_at_again
 from robosmi.transformations.verification.judgement.verdict import verdict_of
-from robosmi.transformations.verification.loop_pass import longest_pass_ms, runs_a_pass_apart
+from robosmi.transformations.verification.loop_pass import hangs_on_a_pass, longest_pass_ms
 from robosmi.transformations.verification.original_side import SourceRuns, run_source, run_varied
 from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario
@@ -27,24 +29,24 @@ int main() {
 PORTS = [BoundPort("P3", "P3", "P3", device="levels", pin="pin"), BoundPort("P5", "P5", "P5")]
 
 
-def scenario(at_ms: float) -> Scenario:
-    return Scenario("s", 3000.0, {"P3": {"points": ((0.0, 0), (at_ms, 1), (at_ms + 700.0, 0))}})
+def scenario(at_ms: float, lasts_ms: float = 700.0) -> Scenario:
+    return Scenario("s", 3000.0, {"P3": {"points": ((0.0, 0), (at_ms, 1), (at_ms + lasts_ms, 0))}})
 
 
-def judged(seen_at_ms: float, text: str = PROGRAM) -> str:
+def judged(seen_at_ms: float, text: str = PROGRAM, lasts_ms: float = 700.0) -> str:
     """The verdict on a target that does what a program does where the input changes at another time."""
     require_tools("gcc", "gcov", "objcopy")
     asked = scenario(1000.0)
     with original(PROGRAM) as program, original(text) as other:
         runs = run_varied(program, PORTS, asked, run_source(program, PORTS, asked))
-        trace: PinTrace = run_source(other, PORTS, scenario(seen_at_ms)).trace
+        trace: PinTrace = run_source(other, PORTS, scenario(seen_at_ms, lasts_ms)).trace
         told = verdict_of(asked, runs, trace, PORTS, True)
 
         def further(asked: Scenario, runs: SourceRuns) -> SourceRuns:
             return runs
 
-        def apart(asked: Scenario, runs: SourceRuns) -> list[SourceRuns]:
-            return runs_a_pass_apart(program, PORTS, asked, runs, 60.0)
+        def apart(asked: Scenario, runs: SourceRuns, differs_at: Callable[[SourceRuns], float | None]) -> bool:
+            return hangs_on_a_pass(program, PORTS, asked, runs, 60.0, differs_at)
 
         return looked_at_again(told, asked, trace, PORTS, True, runs, further, apart=apart).verdict
 
@@ -52,6 +54,11 @@ def judged(seen_at_ms: float, text: str = PROGRAM) -> str:
 @pytest.mark.parametrize("seen_at_ms", [900.0, 1100.0])
 def test_a_change_that_is_seen_a_pass_earlier_or_later_is_not_decidable(seen_at_ms: float) -> None:
     assert judged(seen_at_ms) == "not-decidable"
+
+
+@pytest.mark.parametrize(("lasts_ms", "verdict"), [(900.0, "not-decidable"), (1300.0, "different")])
+def test_each_change_may_be_seen_a_pass_earlier_or_later(lasts_ms: float, verdict: str) -> None:
+    assert judged(900.0, lasts_ms=lasts_ms) == verdict
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -41,14 +41,16 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: fl
     return put_down_anywhere(made, chance)
 
 
-def late_devices(devices: Sequence[DeviceUse], by_ms: float) -> list[DeviceUse]:
-    """Devices whose signals all change later by a time in milliseconds, or earlier if it is negative."""
+def late_devices(devices: Sequence[DeviceUse], by_ms: Mapping[float, float]) -> list[DeviceUse]:
+    """Devices whose changes at some times come later, or earlier where the number is negative; all in milliseconds."""
     chance = random.Random(0)
     return [
         replace(
             use,
             settings={
-                name: [_moved(point, chance, 0.0, 0.0, by_ms) for point in value] if _is_signal(value) else value
+                name: [_moved(point, chance, 0.0, 0.0, by_ms.get(float(point[0]), 0.0)) for point in value]
+                if _is_signal(value)
+                else value
                 for name, value in use.settings.items()
             },
         )

@@ -24,7 +24,7 @@ from robosmi.transformations.verification.bound_devices.port_devices import Boun
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
 from robosmi.transformations.verification.judgement.side_effects import NO_LEVELS
 from robosmi.transformations.verification.judgement.verdict import SAME_MS, ended_badly, verdict_of, without_target
-from robosmi.transformations.verification.loop_pass import runs_a_pass_apart
+from robosmi.transformations.verification.loop_pass import hangs_on_a_pass
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
@@ -93,8 +93,8 @@ def compare_scenarios(
         announce(f"check that the original is repeatable in '{scenario.name}'")
         return run_further(program, ports, scenario, runs, LIMIT_S)
 
-    def apart(scenario: Scenario, runs: SourceRuns) -> list[SourceRuns]:
-        return runs_a_pass_apart(program, ports, scenario, runs, LIMIT_S)
+    def apart(scenario: Scenario, runs: SourceRuns, differs_at: Callable[[SourceRuns], float | None]) -> bool:
+        return hangs_on_a_pass(program, ports, scenario, runs, LIMIT_S, differs_at)
 
     found = ComparedScenarios()
     number = 0
@@ -128,7 +128,7 @@ def looked_at_again(
     runs: SourceRuns,
     further: Callable[[Scenario, SourceRuns], SourceRuns],
     at_rest: Mapping[str, int] = NO_LEVELS,
-    apart: Callable[[Scenario, SourceRuns], Sequence[SourceRuns]] | None = None,
+    apart: Callable[[Scenario, SourceRuns, Callable[[SourceRuns], float | None]], bool] | None = None,
 ) -> ScenarioVerdict:
     """The verdict on a scenario, with further runs of the source if it is a difference.
 
@@ -141,7 +141,7 @@ def looked_at_again(
         runs: the runs of the source.
         further: adds further runs of the source.
         at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
-        apart: makes runs of the source that see its inputs a pass earlier or later.
+        apart: whether the source does what the target did if it sees its inputs a pass earlier or later.
     """
     first = told.first
     if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
@@ -152,10 +152,18 @@ def looked_at_again(
     itself = selves[0] if selves else None
     if again.verdict == DIFFERENT_VERDICT and apart is not None:
         differ = {each.channel for each in again.channels if each.status == DIFFERENT}
-        for each in apart(scenario, runs):
+
+        target = channel_events(trace, ports, target=True)
+
+        def differs_at(each: SourceRuns) -> float | None:
             other = verdict_of(scenario, each, trace, ports, one_thread, at_rest)
-            if differ <= {each.channel for each in other.channels if each.status == SAME}:
-                return ScenarioVerdict(scenario, NOT_DECIDABLE, _without_differences(again), again.simulated_ms, _HANGS_ON_A_PASS)
+            left = [c for c in other.channels if c.channel in differ and c.status != SAME]
+            if differ <= {c.channel for c in other.channels} and not left:
+                return None
+            return min((_agrees_until(c, each.channels[c.channel][0][0], target[c.channel][0]) for c in left), default=0.0)
+
+        if apart(scenario, runs, differs_at):
+            return ScenarioVerdict(scenario, NOT_DECIDABLE, _without_differences(again), again.simulated_ms, _HANGS_ON_A_PASS)
     if itself is None or again.verdict == DIFFERENT_VERDICT:
         return again
     until_ms = first.at_ms
@@ -164,6 +172,19 @@ def looked_at_again(
         later_ms = [event.at_us / 1000 for event in events if event.at_us / 1000 > first.at_ms]
         until_ms = min(later_ms) if later_ms else scenario.horizon_ms
     return again if itself.at_ms <= until_ms + SAME_MS else told  # a later one explains nothing
+
+
+def _agrees_until(channel: ChannelComparison, source: Sequence[ActivityEvent], target: Sequence[ActivityEvent]) -> float:
+    """Until when two runs agree on a channel, in milliseconds: where only a duration differs, until the shorter one ends."""
+    found = channel.difference
+    if found is None:
+        return 0.0
+    if found.source is None or found.target is None or not alike(found.source, found.target):
+        return found.at_ms
+    begin_us, late_us = sorted((found.source.at_us, found.target.at_us))
+    if late_us - begin_us > SAME_MS * 1000:
+        return found.at_ms
+    return min((event.at_us / 1000 for event in (*source, *target) if event.at_us > late_us), default=found.at_ms)
 
 
 def _without_differences(told: ScenarioVerdict) -> tuple[ChannelComparison, ...]:
