@@ -114,7 +114,13 @@ def test_methods_of_one_name_are_told_apart_by_their_classes(tmp_path: Path) -> 
     outcome = migrated("wrapped", tmp_path, *said)
     assert outcome.code == 0
     made = text(tmp_path, "wrapped/wrapped.ino")
-    for line in ("leg.attach(4, 21);", "lamp.attach(6, 22);", "leg.set(30);", "lamp.set(22);", "hip.attach(port(pin), 544, 2400);"):
+    for line in (
+        "leg.attach(4, 21);",
+        "lamp.attach(6, 22);",
+        "leg.set(30);",
+        "lamp.set(22);",
+        "hip.attach(port(pin), 544, 2400);",
+    ):
         assert f"  {line}\n" in made
     assert re.search(r"\b20, +// 4:", text(tmp_path, "wrapped/moved_pins.h"))
     assert not [finding for finding in outcome.document["findings"] if finding["rule"] in ("RS341", "RS345")]
