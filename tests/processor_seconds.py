@@ -7,8 +7,8 @@ with all programs that these started and waited for; EMF's judge tells its own.
 from __future__ import annotations
 
 import os
-from collections import Counter
 from collections.abc import Iterator
+from heapq import nlargest
 from typing import Any
 
 import pytest
@@ -35,7 +35,7 @@ class ProcessorSeconds:
 
     def __init__(self, tier: str) -> None:
         self.tier = tier
-        self.seconds = Counter[str]()
+        self.seconds: dict[str, float] = {}
         self.total = 0.0
         self.tests = 0
 
@@ -46,8 +46,11 @@ class ProcessorSeconds:
         try:
             return (yield)
         finally:
-            self.seconds[item.nodeid.partition("[")[0]] += taken() - begun
+            self._add(item.nodeid.partition("[")[0], taken() - begun)
             self.tests += 1
+
+    def _add(self, name: str, seconds: float) -> None:
+        self.seconds[name] = self.seconds.get(name, 0.0) + seconds
 
     @pytest.hookimpl(trylast=True)
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
@@ -56,14 +59,15 @@ class ProcessorSeconds:
         self.total += own
         output = getattr(session.config, "workeroutput", None)
         if output is not None:
-            output[_KEY] = {"seconds": dict(self.seconds), "total": self.total, "tests": self.tests}
+            output[_KEY] = {"seconds": self.seconds, "total": self.total, "tests": self.tests}
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
         """Add what a process of pytest-xdist has measured; one that crashed has told nothing."""
         told = getattr(node, "workeroutput", {}).get(_KEY)
         if told is not None:
-            self.seconds.update(told["seconds"])
+            for name, seconds in told["seconds"].items():
+                self._add(name, seconds)
             self.total += told["total"]
             self.tests += told["tests"]
 
@@ -72,6 +76,6 @@ class ProcessorSeconds:
         if not self.tests:
             return
         terminalreporter.write_line(f"{self.total:,.0f} processor seconds for {self.tests:,} tests of the tier {self.tier}")
-        for name, seconds in self.seconds.most_common(_DEAREST):
+        for name, seconds in nlargest(_DEAREST, self.seconds.items(), key=lambda each: each[1]):
             if seconds > _DEAR:
                 terminalreporter.write_line(f"  {seconds:6.1f} {name}")
