@@ -10,7 +10,7 @@ import pytest
 
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification import api_build
-from robosmi.transformations.verification.jobs import api_microcontrollers
+from robosmi.transformations.verification.engines.api import Api
 from robosmi.verify.toolchains.boards import find_board, load_boards
 from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from tests.running import run
@@ -131,7 +131,7 @@ def test_a_microcontroller_of_its_own_is_judged_with_the_names_of_its_pins(
         shutil.copy(FILE.with_name(f"{name}.toml"), data / f"{place}.toml")
     monkeypatch.chdir(tmp_path)
     assert run("trust", ".").code == 0
-    assert {"stm32f103c8", "ra4m1"} <= api_microcontrollers()
+    assert all(Api().serves(mcu) for mcu in ("stm32f103c8", "ra4m1"))
     (toolchain,) = (each for each in load_toolchains() if each.platform == "arduino")
     defines = api_build._properties(find_board("bluepill", load_boards("arduino")), toolchain)["api.defines"]
     assert {"API_NAME(PC13,17)", "API_NAME(A1,21)"} <= {*re.findall(r"API_NAME\(\w+,\d+\)", defines)}

@@ -54,11 +54,6 @@ def api_facts(mcu: str) -> DataTable | None:
     return DataTable(path, values).table("api") if "api" in values else None
 
 
-def api_microcontrollers() -> frozenset[str]:
-    """The microcontrollers whose programs are judged at the Arduino API."""
-    return frozenset(mcu for mcu, (_, values) in _facts().items() if "api" in values)
-
-
 def pins_and_inputs(board: platform.Board, pattern: str = ".+") -> tuple[list[platform.Pin], list[platform.Pin]]:
     """The pins of a board whose ports match, and those of them that measure voltages; engines number them in this order."""
     pins = [pin for pin in board.pins if re.fullmatch(pattern, str(pin.port))]

@@ -13,10 +13,10 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
-from robosmi import inputs
+from robosmi import inputs, resources
 from robosmi.base.data_tables import DataTable
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.transformations.verification.jobs import api_microcontrollers
+from robosmi.project import read_data
 from robosmi.verify.bench import device_class
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.original_build import OriginalProgram
@@ -57,7 +57,7 @@ class Api:
 
     def serves(self, mcu: str) -> bool:
         """Whether the data says that programs for the microcontroller are judged here."""
-        return mcu in api_microcontrollers()
+        return mcu in _microcontrollers()
 
     def run(self, job: Job) -> PinTrace:
         """Run a program in its sandbox.
@@ -114,6 +114,12 @@ def _launcher(place: Path) -> Launcher:
         return run([_COMPILER, *FLAGS, str(SOURCE), "-o", str(target)])
 
     return launcher(compile_it, f"{_COMPILER} {tool_version(_COMPILER, ['-dumpfullversion'])}", place, strict=True)
+
+
+def _microcontrollers() -> frozenset[str]:
+    """Those that the data of all folders names."""
+    paths = [folder / "simulation" / "api.toml" for folder in resources.folders("platform_repo")]
+    return frozenset(mcu for path in paths if path.is_file() for mcu in read_data(path))
 
 
 @cache

@@ -102,7 +102,7 @@ def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: boo
                 ends = tuple(known.get("ends", {}).get(setting, ()))
                 if port.most:
                     taken = [value for value in taken if not isinstance(value, (int, float)) or value <= port.most]
-                    ends = tuple(min(end, port.most) for end in ends)
+                    ends = tuple(min(end, port.most) if isinstance(end, (int, float)) else end for end in ends)
                 rest = at_rest(port.device, port.kinds).get(setting)
                 each = ScenarioInput(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends, (), port.near, rest)
                 made.append(replace(each, series=_series(each, rest, steps)))
