@@ -138,7 +138,7 @@ def _keeps_bytes(declared: ccode.Declaration | None) -> bool:
     """Whether the plan gives a type the bytes that it has on the source; pointers in it have another size all the same."""
     if isinstance(declared, ccode.Typedef) and declared.aliased is not None:
         declared = declared.aliased.declaration
-    kept = the_move().with_kept_bytes
+    kept = the_move().with_same_bytes
     if not isinstance(declared, ccode.Record):
         return id(declared) in kept
     inner = [record_of(each.valueType) for each in declared.fields]

@@ -47,7 +47,7 @@ MANY = 5
 PLACES = "places"
 FLOW = "flow"
 """Key of a finding's evidence: the element and the steps that lead to it; kept only for findings about a single element."""
-KEEPS_BYTES = "object-bytes"
+SAME_BYTES = "object-bytes"
 """The rule of dispositions by which a type keeps its bytes."""
 _running: ContextVar[Move | None] = ContextVar("robosmi_move", default=None)
 _FIXED = re.compile(r"\bu?int(?:8|16|32|64)_t\b|\bfloat\b")
@@ -108,9 +108,9 @@ class Move:
         return unprototyped_pointers(self.program)
 
     @cached_property
-    def with_kept_bytes(self) -> frozenset[int]:
+    def with_same_bytes(self) -> frozenset[int]:
         """The identities of declarations that the plan gives the bytes that they have on the source."""
-        return frozenset(id(each.element) for each in self.plan.dispositions if KEEPS_BYTES in each.rules)
+        return frozenset(id(each.element) for each in self.plan.dispositions if SAME_BYTES in each.rules)
 
     @cached_property
     def _macros(self) -> dict[str, str]:

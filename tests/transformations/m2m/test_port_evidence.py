@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from robosmi.metamodels import migration
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2m.ports import port_binding
 from robosmi.transformations.queries.circuits.component_kinds import significant_words
 from robosmi.transformations.queries.plans.choices import available_choices
+from robosmi.transformations.queries.values import Values
 
 CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
 
@@ -79,3 +81,19 @@ def test_a_channel_of_a_converter_is_offered_pins_that_measure() -> None:
 )
 def test_names_are_taken_apart_where_all_of_them_is_known(name: str, words: set[str]) -> None:
     assert significant_words([name]) == words
+
+
+def test_the_values_of_a_variable_are_read_once_for_all_tones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Reading them again for each use made the cost quadratic."""
+    made: list[ccode.SourceUnit] = []
+
+    def counted(unit: ccode.SourceUnit) -> Values:
+        made.append(unit)
+        assert unit.program is not None
+        return Values(unit.program, unit)
+
+    monkeypatch.setattr(port_binding, "_values", counted)
+    tones = "".join(f"freqout({port}, 5, hz); " for port in (4, 4, 5, 6))
+    (tmp_path / "song.c").write_text(f'#include "simpletools.h"\nint hz = 440;\nint main() {{ {tones} }}\n')
+    plan = robosmi.plan_migration([tmp_path / "song.c"]).plan
+    assert (len(made), len(plan.portBindings)) == (1, 3)

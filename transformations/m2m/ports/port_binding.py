@@ -17,6 +17,7 @@ from __future__ import annotations
 import heapq
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
+from functools import cache
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -29,7 +30,16 @@ from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
-from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet, remarks_for, remarks_of_own, tone_kinds
+from robosmi.transformations.m2m.ports.port_evidence import (
+    Fit,
+    Seat,
+    ValuesOf,
+    fit,
+    may_meet,
+    remarks_for,
+    remarks_of_own,
+    tone_kinds,
+)
 from robosmi.transformations.queries.circuits.component_kinds import kinds_of, misleading_title
 from robosmi.transformations.queries.circuits.former_titles import former_name
 from robosmi.transformations.queries.flows.value_flows import PinArgument
@@ -37,6 +47,7 @@ from robosmi.transformations.queries.plans.binding_edits import referred, trace_
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, convention_of
 from robosmi.transformations.queries.ports.split_wires import wires_of
+from robosmi.transformations.queries.values import Values
 
 _SIGNALS = {"in": "read", "out": "write"}
 _ANOTHER_PROGRAM = "remove it there, or give each program its own folder with its project file"
@@ -107,9 +118,10 @@ def bind_ports(
         _split(port, binding, connections, split)
     heard = {id(b.answer) for b in bindings if b.answer is not None}
     free = [c for c in free if id(c) not in heard]
+    values: ValuesOf = cache(_values)  # for all ports: many may share a variable
     tones: Mapping[str, int] = api.settings.get("ports", {}).get("tones", {})
-    heard_or_seen = frozenset().union(*(tone_kinds(port.uses, tones) for port in ports))
-    seats = [_seat(p, b, found, api, split) for p, b in zip(ports, bindings, strict=True) if b.open]
+    heard_or_seen = frozenset().union(*(tone_kinds(port.uses, tones, values) for port in ports))
+    seats = [_seat(p, b, found, api, split, values) for p, b in zip(ports, bindings, strict=True) if b.open]
     seats = [replace(seat, unlike=heard_or_seen - seat.usual - {seat.role}) for seat in seats]
     for seat in seats:
         seat.binding.role = seat.role
@@ -117,7 +129,7 @@ def bind_ports(
     for port, binding in zip(ports, bindings, strict=True):
         if not binding.open:
             _split(port, binding, connections, split)
-            seat = _seat(port, binding, found, api, split)
+            seat = _seat(port, binding, found, api, split, values)
             binding.role = seat.role
             rank(seat, _within_reach(binding, bindings, connections))
         binding.mirrored = _is_mirrored(port, api)
@@ -190,14 +202,21 @@ def _is_split(port: Port, functions: frozenset[str]) -> bool:
     return bool(called) and called <= functions
 
 
-def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex, split: frozenset[str]) -> Seat:
+def _values(unit: ccode.SourceUnit) -> Values:
+    assert unit.program is not None
+    return Values(unit.program, unit)
+
+
+def _seat(
+    port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex, split: frozenset[str], values: ValuesOf
+) -> Seat:
     facts = api.settings.get("ports", {})
     given = _arguments(port, found)
     siblings = [p.name for function in {a.function for a in given} for p in _pins(function, api)]
     siblings += [p.name for p in found.ports if p.origin == "declaration"]
     role = _role(port, facts.get("roles", {}), api)
     names = [argument.parameter.name for argument in given]
-    usual = tone_kinds(port.uses, facts.get("tones", {})) or _usual(port, facts.get("usual", {}))
+    usual = tone_kinds(port.uses, facts.get("tones", {}), values) or _usual(port, facts.get("usual", {}))
     own = facts.get("own", {}).get(api.port_name(port.pin), "") if port.pin is not None else ""
     return Seat(binding, _words(port, api), names, siblings, role, usual, _is_split(port, split), port.uses, own)
 

@@ -9,9 +9,10 @@ Words and kinds are those of `queries.circuits.component_kinds`. Which port gets
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
+from typing import TypeAlias
 
 from msgspec import Struct
 
@@ -176,18 +177,20 @@ def remarks_of_own(seat: Seat) -> float:
     return float(sum(len(remark.words & words) for remark in seat.remarks))
 
 
+ValuesOf: TypeAlias = Callable[[ccode.SourceUnit], Values]
 AUDIBLE_HZ = range(20, 20_001)
 """What people hear."""
 
 
-def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int]) -> frozenset[str]:
+def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int], values: ValuesOf) -> frozenset[str]:
     """The kinds of components that tones of these frequencies are for; empty if the uses disagree or are no tones.
 
     Args:
         uses: of one port.
         tones: function that makes a tone -> the place of its frequency among its arguments.
+        values: of expressions in a unit; it remembers what it has found.
     """
-    numbers = {number for use in uses if use.function in tones for number in _frequencies(use.call, tones[use.function])}
+    numbers = {number for use in uses if use.function in tones for number in _frequencies(use.call, tones[use.function], values)}
     if numbers and all(number in AUDIBLE_HZ for number in numbers):
         return known_roles().audible
     if numbers and all(number is not None and number >= AUDIBLE_HZ.stop for number in numbers):
@@ -195,13 +198,13 @@ def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int]) -> frozenset[st
     return frozenset()
 
 
-def _frequencies(call: ccode.Expression, place: int) -> set[int | None]:
+def _frequencies(call: ccode.Expression, place: int, values: ValuesOf) -> set[int | None]:
     """The values that an argument of a call may have, with None for those that only the running program knows."""
     unit = unit_of(call)
     if unit is None or unit.program is None:
         return {None}
     given = list(call.arguments)[place : place + 1] if isinstance(call, ccode.Call) else []
-    return {value.number for each in given for value in Values(unit.program, unit).of(each)}
+    return {value.number for each in given for value in values(unit).of(each)}
 
 
 def _remarks(use: PinUse) -> Iterator[Remark]:

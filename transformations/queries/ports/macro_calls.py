@@ -56,4 +56,6 @@ class MacroCalls:
         unit = ancestor_of_kind(element, ccode.SourceUnit)
         assert self._program is not None
         assert unit is not None
-        return self._values.setdefault(id(unit), Values(self._program, unit))
+        if id(unit) not in self._values:
+            self._values[id(unit)] = Values(self._program, unit)
+        return self._values[id(unit)]
