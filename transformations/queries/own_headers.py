@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.queries.source_text import IncludedFiles, header_file, is_header, meant_unit
+from robosmi.transformations.queries.source_text import FilesByName, header_file, is_header, meant_unit
 
 _QUALIFIED = re.compile(r"::\s*~?\w+\s*$")
 """The name of a function that is defined outside of its class or namespace."""
@@ -26,7 +26,7 @@ def own_header(include: ccode.Include) -> str:
     return in_sketch(header) if header is not None else ""
 
 
-def _meant_header(include: ccode.Include, files: IncludedFiles | None = None) -> ccode.SourceUnit | None:
+def _meant_header(include: ccode.Include, files: FilesByName | None = None) -> ccode.SourceUnit | None:
     """The program's own header that an include means, None where it was not carried over."""
     unit = meant_unit(include) if files is None else files.meant(include)
     return unit if unit is not None and is_header(unit) else None
@@ -56,7 +56,7 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
 
 def includes_of_units(program: ccode.Program) -> dict[int, tuple[str, ...]]:
     """What `all_includes` gives for each unit of a program, by the unit's `id`; each include is looked up once."""
-    files = IncludedFiles(program)
+    files = FilesByName(program)
     meant = {id(include): _meant_header(include, files) for unit in program.units for include in unit.includes}
     including: dict[int, list[ccode.SourceUnit]] = {}
     for unit in program.units:
@@ -75,9 +75,9 @@ def _met(
 ) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:
     """The includes of units in preprocessing order, each with the own header that it includes first, or None."""
     seen: set[int] = set()
-    files: IncludedFiles | None = None
+    files: FilesByName | None = None
     for unit in units:
-        files = files or IncludedFiles(unit.program)
+        files = files or FilesByName(unit.program)
         pending = list(reversed(unit.includes))
         while pending:
             include = pending.pop()

@@ -42,12 +42,12 @@ def _is_included(unit: ccode.SourceUnit) -> bool:
 
 
 def meant_unit(include: ccode.Include) -> ccode.SourceUnit | None:
-    """The program's file that an include refers to (`IncludedFiles.meant`)."""
+    """The program's file that an include refers to (`FilesByName.meant`)."""
     unit = include.eContainer()
-    return IncludedFiles(unit.program if isinstance(unit, ccode.SourceUnit) else None).meant(include)
+    return FilesByName(unit.program if isinstance(unit, ccode.SourceUnit) else None).meant(include)
 
 
-class IncludedFiles:
+class FilesByName:
     """The files of a program by their paths and names.
 
     Args:
