@@ -24,7 +24,8 @@ from robosmi.plugins import content
 if TYPE_CHECKING:
     from robosmi.cli.answers import EditedTexts
 
-A, T = TypeVar("A"), TypeVar("T")
+A = TypeVar("A")
+T = TypeVar("T")
 PAUSE_S = 0.2
 """How long the typing rests before a text is examined."""
 _LEVELS = {

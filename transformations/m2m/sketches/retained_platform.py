@@ -201,9 +201,9 @@ def _names_left(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> 
             changed.setdefault(str(change.unit.path), set()).update(range(change.startOffset, change.endOffset))
     found: dict[tuple[str, int], list[str]] = defaultdict(list)
     for path, data in sources.items():
-        line, at = 1, 0
+        line, last = 1, 0
         for start, _, name in name_tokens(data):
-            line, at = line + data.count(b"\n", at, start), start
+            line, last = line + data.count(b"\n", last, start), start
             names = found[path, line]
             if start not in changed.get(path, ()):
                 names.append(name)

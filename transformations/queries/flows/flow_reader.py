@@ -58,8 +58,8 @@ class FlowReader:
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
         self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
         """Constant of the platform that is a pin of the board -> its number."""
-        own = (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition)
-        self.functions = {str(function.name): function for function in own if not is_member(function)}
+        functions = (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition)
+        self.functions = {str(function.name): function for function in functions if not is_member(function)}
         self.classes = Classes(views)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""

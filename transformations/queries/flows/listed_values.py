@@ -61,5 +61,6 @@ def designates(member: ccode.Member) -> bool:
 def gone_through(loop: ccode.For) -> ccode.Variable | None:
     """The array of numbers that a loop over a range goes through; None for any other range."""
     array = loop.range.target if isinstance(loop.range, ccode.NameReference) else None
-    use = array.valueType if isinstance(array, ccode.Variable) else None
-    return array if use is not None and use.arrayDims and record_of(use) is None else None
+    if not isinstance(array, ccode.Variable) or array.valueType is None:
+        return None
+    return array if array.valueType.arrayDims and record_of(array.valueType) is None else None

@@ -126,7 +126,8 @@ def _write(
 
 def _beside(settings: Sequence[ccode.Assignment], writes: Sequence[ccode.Assignment]) -> set[int]:
     """The identities of the writes among the settings, or right before or behind them: nothing runs between these."""
-    block = settings[-1].eContainer().eContainer()
+    last = settings[-1].eContainer()
+    block = last.eContainer() if last is not None else None
     statements = list(block.statements) if isinstance(block, ccode.Block) else []
     of = {id(each.eContainer()): each for each in (*settings, *writes)}
     places = [number for number, each in enumerate(statements) if of.get(id(each)) in settings]
