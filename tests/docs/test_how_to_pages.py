@@ -44,6 +44,16 @@ def test_every_link_of_the_documents_leads_somewhere() -> None:
     assert broken == []
 
 
+def test_every_module_that_the_method_and_the_promises_name_exists() -> None:
+    docs = ROOT / "docs"
+    pages = [*docs.glob("method/*.md"), *docs.glob("decisions/*.md"), docs / "security.md", docs / "glossary.md"]
+    folders = ("robosmi", "transformations", "platform_repo", "metamodels", "tests")
+    modules = {path.name for folder in folders for path in (ROOT / folder).rglob("*.py")} | {"robosmi.py", "argparse.py"}
+    named = {(page.name, name) for page in pages for name in re.findall(r"`(?:[\w/]+/)?(\w+\.py)`", page.read_text("utf-8"))}
+    assert len(named) > 20
+    assert sorted(each for each in named if each[1] not in modules) == []
+
+
 @pytest.mark.parametrize("page", PAGES)
 def test_the_files_and_commands_of_a_page_do_what_it_says(page: str, tmp_path: Path) -> None:
     text = (HOW_TO / f"{page}.md").read_text(encoding="utf-8")
