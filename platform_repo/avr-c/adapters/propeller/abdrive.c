@@ -54,7 +54,7 @@ static int16_t drive_goto_step = 4;
 //# helper wheels
 //#   needs: simpletools.h/Io
 //#   include: <avr/interrupt.h> <stdlib.h>
-//#   ram: 72
+//#   ram: 70
 typedef struct {
   volatile int16_t speed, target;     // ticks/s
   int16_t step;                       // ticks/s each frame

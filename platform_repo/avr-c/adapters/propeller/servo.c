@@ -9,7 +9,7 @@
 //#   vector: TIMER1_COMPA_vect
 //#   fidelity: the frame job is due 2 ms before the pulses, so that each pulse has the width of its own frame
 //#   fidelity: eight servos at 20 ms, more of them at longer frames
-//#   ram: 146
+//#   ram: 148
 typedef struct {
   uint8_t pin;
   bool used, on, own;         // own: of a drive, which servo_stop and the like leave alone
@@ -119,7 +119,7 @@ static inline void count_periods(void) {
 //#   include: <avr/interrupt.h>
 //#   vector: TIMER1_COMPB_vect
 //#   fidelity: a frame job every 20 ms with interrupts on; it waits while an input is timed, and is made up for when that ends
-//#   ram: 6
+//#   ram: 5
 static void (*frame_job)(void);
 static volatile uint8_t frames_owed;  // that have waited
 static volatile uint8_t frame_age;    // periods of 1,024 us since the frame job began last

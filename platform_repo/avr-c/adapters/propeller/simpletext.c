@@ -223,7 +223,7 @@ static inline void usart_open(uint32_t baud) {
 
 //# helper console
 //#   needs: text_t usart_registers
-//#   ram: 6
+//#   ram: 8
 static text_t console;
 
 __attribute__((constructor, used)) static void console_open(void) {
