@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -82,7 +83,10 @@ def sources(program: Path) -> list[Path]:
 
 @pytest.mark.parametrize("program", CONSTRUCTS, ids=lambda path: path.stem)
 def test_a_pin_of_each_construct_of_cpp_moves_or_is_named(program: Path, tmp_path: Path) -> None:
-    bound = robosmi.migrate(sources(program), tmp_path / "bound", bind={"P8": "D12"}).models.plan
+    ports = {"P8": "D12"}
+    if any(re.search(r"\b9\b", path.read_text()) for path in sources(program)):
+        ports["P9"] = "D11"
+    bound = robosmi.migrate(sources(program), tmp_path / "bound", bind=ports).models.plan
     assert [f.message for f in bound.findings if f.rule == PIN_RULE] == []
     assert not Work(bound).unread
     assert written(Work(bound)) == "nothing"

@@ -71,7 +71,7 @@ def set_own_libraries(plan: migration.MigrationPlan, headers: Collection[str]) -
 
 def libraries_for(plan: migration.MigrationPlan) -> str:
     """The platform whose libraries are for the target of a plan; empty where it takes none."""
-    return target_facts(str(target_of(plan).name)).libraries
+    return str(target_of(plan).libraryIndex or "")
 
 
 def library_of(plan: migration.MigrationPlan, name: str) -> Any:
