@@ -31,6 +31,8 @@ from robosmi.transformations.knowledge.part_names import PartNames, Phrases, nam
 from robosmi.transformations.knowledge.wildcards import fits
 
 _REMARK = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+_PIN_NAME = re.compile("[A-Za-z]{2}|[A-Za-z][0-9]")
+"""What the name of a board's pin contains, unlike `1`, `+` or `P$1`."""
 _SYMBOL_CONNECTORS = 2  # of a symbol of a supply; a part with more is one that has a supply
 
 
@@ -70,14 +72,17 @@ def _first_rule(part: Part, project: Path | None) -> tuple[RoleRule, str] | None
     for known in role_rules(project):
         for number, clue in _clues(part, known, names(project)):
             rule, forbidden = known.rules[number], known.forbidden[number]
-            if rule["role"] == "Board" and len(part.connectors) in (
-                1,
-                2,
-            ):  # named after its library
+            if rule["role"] == "Board" and _has_bare_ends(part):
                 continue
             if forbidden is None or about not in forbidden:
                 return rule, clue
     return None
+
+
+def _has_bare_ends(part: Part) -> bool:
+    """Whether a part has only one or two connectors and none with a name, such as a resistor that is named after its library."""
+    ends = [connector.name for connector in part.connectors.values()]
+    return len(ends) in (1, 2) and not any(_PIN_NAME.search(name) for name in ends)
 
 
 def classify_by_id(part: Part, project: Path | None = None) -> Part:

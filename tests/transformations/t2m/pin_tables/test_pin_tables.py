@@ -138,7 +138,7 @@ def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
         ("a.toml", "pins = []\n", "the table has no row", None),
         ("a.csv", "# nothing\n", "the column 'pin' is missing", 1),
         ("a.csv", "\n \n", "the file is empty", None),
-        ("a.toml", "[[pin]\n", "not valid TOML", None),
+        ("a.toml", "[[pin]\n", "not valid TOML", 1),
         ("a.toml", "pin = 3\n", "'pin' is not a list of tables", None),
         ("a.toml", "board = 3\n[[pin]]\npin = 3\npart = 'LED'\n", "'board' is not a text", None),
         ("a.toml", "[[pin]]\npin = 3\npart = ''\n", "a row has no part", 1),
