@@ -365,7 +365,15 @@ def named_queries() -> dict[str, Callable[..., Any]]:
 
 def _answer(name: str, /, *arguments: Any, **options: Any) -> Any:
     query = KINDS["named query"](registry().get("named query", name), name, registry().owner("named query", name))
-    made = query(*arguments, **options)
+    try:
+        made = query(*arguments, **options)
+    except RobosmiError:
+        raise
+    except Exception as error:  # whatever a query does that is given nothing
+        if (number := next((n for n, each in enumerate(arguments, 1) if each is None), None)) is None:
+            raise
+        said = f"the query '{name}' fails ({type(error).__name__}): its argument {number} has no value"
+        raise UsageError(said, fix="query that argument by itself; the models may have no such element") from error
     if isinstance(made, Iterator):
         made = list(made)
     if made is not None and not isinstance(made, _READABLE):

@@ -121,3 +121,10 @@ def test_a_named_query_on_the_command_line(monkeypatch: pytest.MonkeyPatch) -> N
     outcome = run("query", PROGRAM, "user_calls(Program.all.first()).keys()", "--json")
     assert outcome.result == {"value": ["clamp"]}
     assert run("query", PROGRAM, "user_calls(Program.all.first(), 1)").code == 2
+
+
+def test_an_argument_without_a_value_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.undo()
+    outcome = run("query", PROGRAM, "user_calls(Macro.all.select(lambda m: False).first())", "--json")
+    assert outcome.code == 2
+    assert "the query 'user_calls' fails (AttributeError): its argument 1 has no value" in outcome.document["findings"][0]["message"]
