@@ -127,4 +127,5 @@ def test_an_argument_without_a_value_is_named(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.undo()
     outcome = run("query", PROGRAM, "user_calls(Macro.all.select(lambda m: False).first())", "--json")
     assert outcome.code == 2
-    assert "the query 'user_calls' fails (AttributeError): its argument 1 has no value" in outcome.document["findings"][0]["message"]
+    message = outcome.document["findings"][0]["message"]
+    assert message == "the query 'user_calls' fails (AttributeError): its argument 1 has no value"
