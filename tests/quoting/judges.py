@@ -78,6 +78,11 @@ def markdown_kinds(text: str) -> list[str]:
     return [token.type for token in _tokens_of(text) if token.type not in _PLAIN]
 
 
+def markdown_html(text: str) -> list[str]:
+    """What a Markdown text has of HTML, in order."""
+    return [token.content.strip() for token in _tokens_of(text) if token.type in ("html_block", "html_inline")]
+
+
 def markdown_text(text: str) -> str:
     """The text that a reader of rendered Markdown sees, with runs of blanks as one."""
     shown = (" " if t.type == "softbreak" else t.content for t in _tokens_of(text) if t.type in _PLAIN and t.type != "inline")
