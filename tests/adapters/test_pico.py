@@ -145,6 +145,7 @@ void loop() {}
     assert trace.levels("GP16")[-1][1] == 1
 
 
+@pytest.mark.exhaustive
 def test_outputs_on_the_arduino_api_behave_at_the_pins(tmp_path: Path) -> None:
     """With the looser tolerances that the pieces state: pulses within 2 us, jobs in the background when the program waits.
 

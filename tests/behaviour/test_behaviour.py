@@ -16,7 +16,7 @@ from tests.tools import require_engine, require_tools
 PROGRAMS = sorted(path for path in (Path(__file__).parent / "programs").iterdir() if path.is_dir() or path.suffix == ".c")
 
 
-@pytest.mark.parametrize("program", sample(PROGRAMS, 15), ids=lambda path: path.stem)
+@pytest.mark.parametrize("program", sample(PROGRAMS, 8), ids=lambda path: path.stem)
 def test_the_sketch_says_what_the_program_says(program: Path, tmp_path: Path) -> None:
     require_tools("avr-gcc", "arduino-core-avr", "gcc-32-bits")
     require_engine("simavr")

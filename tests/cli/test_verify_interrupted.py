@@ -74,7 +74,7 @@ def heed_signals() -> None:
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="this system does not list its processes in /proc")
 @pytest.mark.parametrize(
-    ("stage", "name"), sample(product(["avr-g", "/original", "robosmi.verify.worker"], ["SIGTERM", "SIGQUIT", "SIGINT"]), 4)
+    ("stage", "name"), sample(product(["avr-g", "/original", "robosmi.verify.worker"], ["SIGTERM", "SIGQUIT", "SIGINT"]), 2)
 )
 def test_it_ends_with_all_that_it_started(stage: str, name: str, made: Path, tmp_path: Path) -> None:
     place = tmp_path / "passing"

@@ -57,7 +57,7 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-@pytest.mark.processes
+@pytest.mark.exhaustive
 def test_a_long_course_is_compared_whole_where_it_is_asked_for(course: Path, tmp_path: Path) -> None:
     shutil.copytree(course, tmp_path / "out")
     usual = run("verify", tmp_path / "out", "--json").result

@@ -128,7 +128,8 @@ def decides(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 EDITS = {"values": (("< 42", "< 45"), ("< 42", "< 39")), "dark": (("> 1000", "> 1200"), ("> 1000", "> 800"))}
 
 
-@pytest.mark.parametrize("number", sample([0, 1], 1))
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("number", [0, 1])
 def test_a_border_is_sought_near_by_and_where_it_is_no_branch(number: int, decides: Path, tmp_path: Path) -> None:
     name = decides.name
     old, new = EDITS[name][number]

@@ -13,6 +13,7 @@ from robosmi.errors import VerificationError
 from robosmi.verify.toolchains import tools
 from robosmi.verify.toolchains.process_limits import FILE_MB, MEMORY_MB, PROCESSOR_S, exceeded
 from robosmi.verify.toolchains.tools import run
+from tests.tiers import sample
 from tests.tools import require_tools
 
 TEMPLATES = """
@@ -27,11 +28,11 @@ pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="on
 
 @pytest.mark.parametrize(
     ("text", "allowed"),
-    [
+    sample([
         (TEMPLATES, f"{MEMORY_MB} MB of memory"),
         ('asm(".space 1000000000, 1");', f"{FILE_MB} MB in a file"),
         ("constexpr int f(int n) { return n < 2 ? 1 : f(n - 1) + f(n - 2); } int made = f(60);", f"{PROCESSOR_S} s of processor"),
-    ],
+    ], 1),
     ids=["memory", "file", "time"],
 )  # fmt: skip
 def test_a_compiler_that_grows_is_stopped(text: str, allowed: str, tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def findings(plan: migration.MigrationPlan) -> list[str]:
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("program", sample(PROGRAMS, 18), ids=lambda path: path.stem)
+@pytest.mark.parametrize("program", sample(PROGRAMS, 9), ids=lambda path: path.stem)
 def test_each_port_moves_its_own_pin(program: Path, tmp_path: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     require_engine("simavr")

@@ -28,7 +28,7 @@ def _tools() -> None:
     require_verification("simavr")
 
 
-@pytest.mark.parametrize("case", sample(CASES, 8), ids=[case.name for case in CASES])
+@pytest.mark.parametrize("case", sample(CASES, 4), ids=[case.name for case in CASES])
 def test_a_right_migration_has_no_difference_and_a_wrong_one_has(case: Path, tmp_path: Path) -> None:
     facts = migrated(case, tmp_path)
     right = judged(tmp_path, case)

@@ -54,7 +54,8 @@ def made(name: str, examples: Path, out: Path, **options: Any) -> tuple[Path, Pa
     return sketch, scenario
 
 
-@pytest.mark.parametrize("name", sample(ROBOTS, 1))
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", ROBOTS)
 def test_both_engines_say_the_same_of_a_robot(name: str, examples: Path, tmp_path: Path) -> None:
     for engine in ("simavr", "avr8js"):
         require_engine(engine)
