@@ -31,6 +31,7 @@ class ProcessorSeconds:
         seconds: of each test; the cases of a parametrised one together.
         total: of the whole run.
         tests: how many tests ran.
+        starts: whether this process had its tests run by others, which tell their own seconds.
     """
 
     def __init__(self, tier: str) -> None:
@@ -38,6 +39,7 @@ class ProcessorSeconds:
         self.seconds: dict[str, float] = {}
         self.total = 0.0
         self.tests = 0
+        self.starts = False
 
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
@@ -55,8 +57,7 @@ class ProcessorSeconds:
     @pytest.hookimpl(trylast=True)
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Hand over what a process of pytest-xdist has measured; the one that started it adds its own time."""
-        own = taken() if self.tests else sum(os.times()[:2])  # a process that started others waits for them, and runs no test
-        self.total += own
+        self.total += sum(os.times()[:2]) if self.starts else taken()
         output = getattr(session.config, "workeroutput", None)
         if output is not None:
             output[_KEY] = {"seconds": self.seconds, "total": self.total, "tests": self.tests}
@@ -64,6 +65,7 @@ class ProcessorSeconds:
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
         """Add what a process of pytest-xdist has measured; one that crashed has told nothing."""
+        self.starts = True
         told = getattr(node, "workeroutput", {}).get(_KEY)
         if told is not None:
             for name, seconds in told["seconds"].items():

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+import resource
 import subprocess
 import sys
 from collections.abc import Callable
@@ -189,6 +191,22 @@ def test_one_of_each_kind_is_a_sample_and_the_others_are_exhaustive() -> None:
     chosen = one_of_each([("uno", 1), ("mega", 2), ("nano", 3)], lambda pair: pair[0] == "mega")
     assert [each.values for each in chosen] == [("uno", 1), ("mega", 2), ("nano", 3)]
     assert [[mark.name for mark in each.marks] for each in chosen] == [[], [], ["exhaustive"]]
+
+
+@pytest.mark.parametrize("processes", [(), ("-n", "2")])
+def test_a_run_tells_no_more_processor_seconds_than_it_took(processes: tuple[str, ...], tmp_path: Path) -> None:
+    (tmp_path / "tests").mkdir()
+    (tmp_path / "conftest.py").write_text(CONFTEST)
+    (tmp_path / "tests" / "test_it.py").write_text("def test_sum(): assert sum(range(30_000_000))\n")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    command = [sys.executable, "-m", "pytest", "--import-mode=importlib", "--strict-markers", *processes, "tests"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    took = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    told = re.search(r"^(\d+) processor seconds for 1 tests", done.stdout, re.MULTILINE)
+    assert told is not None
+    assert took / 2 - 1 < int(told[1]) < took + 1
 
 
 def test_a_run_tells_the_processor_seconds_of_its_tests_and_of_those_in_other_processes() -> None:
