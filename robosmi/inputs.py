@@ -197,11 +197,8 @@ def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | 
     if kept is not None and name in kept and len(kept[name]) <= kind.most:
         return kept[name]
     with open_file(path, follow=follow, dir_fd=dir_fd) as stream:
-        size = os.fstat(stream.fileno()).st_size
-        data = stream.read(size + 1) if size <= kind.most else None  # `read` makes room for as many as it is asked for
-        if data is not None and len(data) > size:  # the size may be wrong, as in /proc
-            data += stream.read(kind.most + 1 - len(data))
-    if data is None or len(data) > kind.most:
+        data = read_whole(stream, kind)
+    if data is None:
         cause = f"it is larger than {kind.limit}, the most that a {kind.name} may have"
         raise InputRejectedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")
     if kind is SOURCE and b"\r" in data:
@@ -209,6 +206,20 @@ def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | 
     if kept is not None:
         kept[name] = data
     return data
+
+
+def read_whole(stream: BinaryIO, kind: Kind) -> bytes | None:
+    """The content of an open file; None if it is larger than its kind may be.
+
+    It takes no more memory than the file has bytes: `read` makes room for as many as it is asked for.
+    """
+    size = os.fstat(stream.fileno()).st_size
+    if size > kind.most:
+        return None
+    data = stream.read(size + 1)
+    if len(data) > size:  # the size may be wrong, as in /proc
+        data += stream.read(kind.most + 1 - len(data))
+    return data if len(data) <= kind.most else None
 
 
 _OLD_END = re.compile(rb"\r(?!\n)")

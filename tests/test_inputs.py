@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import socket
+import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from robosmi import inputs
+from robosmi.base.user_cache import read_own
 from robosmi.inputs import InputRejectedError, Kind
 
 SMALL = Kind("note", 1024 * 1024)
@@ -109,3 +111,18 @@ def test_nothing_stays_open(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError):
         inputs.read_bytes(tmp_path, SMALL)
     assert len(os.listdir("/proc/self/fd")) == before
+
+
+def test_a_record_of_a_user_takes_no_more_memory_than_it_has_bytes(tmp_path: Path) -> None:
+    path = tmp_path / "record"
+    path.write_bytes(b"x" * 1000)
+    path.chmod(0o600)
+    kind = Kind("record", 1 << 30)
+    tracemalloc.start()
+    try:
+        assert read_own(path, kind) == b"x" * 1000
+        assert tracemalloc.get_traced_memory()[1] < 1 << 20
+    finally:
+        tracemalloc.stop()
+    with pytest.raises(OSError, match="it is larger than"):
+        read_own(path, Kind("record", 10))

@@ -61,7 +61,10 @@ def read_own(path: Path, kind: Kind) -> bytes:
     with inputs.open_file(path, follow=False) as file:
         if not _is_ours(os.fstat(file.fileno())):
             raise PermissionError(errno.EPERM, "another user could have written it", str(path))
-        return file.read(kind.most)
+        data = inputs.read_whole(file, kind)
+    if data is None:
+        raise OSError(errno.EFBIG, f"it is larger than {kind.limit}", str(path))
+    return data
 
 
 def write_own(path: Path, text: str) -> None:
