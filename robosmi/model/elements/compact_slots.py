@@ -21,12 +21,13 @@ from robosmi.model.elements.ecore import (
     EEnum,
     EEnumLiteral,
     EObject,
+    EProxy,
     EReference,
     EStructuralFeature,
     EValue,
 )
 from robosmi.model.elements.feature_errors import not_computed
-from robosmi.model.elements.feature_values import FeatureCollection, FeatureList, FeatureOrderedSet, kind_of
+from robosmi.model.elements.feature_values import FeatureBag, FeatureCollection, FeatureList, FeatureOrderedSet, kind_of
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,
     CONTAINING_FEATURE,
@@ -44,7 +45,7 @@ from robosmi.model.elements.pyecore_internals import (
     target_in,
     value_in,
 )
-from robosmi.model.elements.structure import resource_of
+from robosmi.model.elements.structure import refuse_circle, resource_of
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Value
@@ -153,8 +154,31 @@ def computed(feature: EStructuralFeature) -> None:
         feature.__class__ = _COMPUTED.get(feature.__class__, feature.__class__)
 
 
-_QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of})
-"""A reference that is read without the two calls that pyecore makes for it."""
+def _redirect(self: EReference, instance: EObject, value: Any) -> None:
+    """Set a reference; its former target, and what the new one refers to in turn, let go first, as in EMF.
+
+    pyecore's setter only adds the new opposite.
+    """
+    opposite = self.eOpposite
+    if value is not None and not self.many and value.__class__ is not EProxy and (self.containment or opposite is not None):
+        former = _target_of(self, instance)
+        if former is value:
+            return
+        instance.__dict__[key_of(self)].check(value)
+        if self.containment:
+            refuse_circle(instance, value)
+        elif opposite.containment:
+            refuse_circle(value, instance)
+        if opposite is not None:
+            if former is not None:
+                EReference.__set__(self, instance, None)
+            if not opposite.many and getattr(value, key_of(opposite)) is not None:
+                EReference.__set__(opposite, value, None)
+    EReference.__set__(self, instance, value)
+
+
+_QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of, "__set__": _redirect})
+"""A reference that is read without the two calls that pyecore makes for it, and keeps opposites in agreement when it is set."""
 
 
 def quick(feature: EStructuralFeature) -> None:
@@ -188,12 +212,12 @@ def collection(owner: EObject, feature: EStructuralFeature) -> Any:
     """An empty collection for that feature, which is not derived."""
     form = feature.__dict__.get("_robosmi_form", _NOTHING)
     if form is _NOTHING:
-        if feature.unique and not feature.ordered:
+        kind = kind_of(feature)
+        if kind not in (FeatureOrderedSet, FeatureList, FeatureBag):
             form = None
         else:
             is_ref = feature.is_reference
             is_cont = is_ref and feature.containment
-            kind = kind_of(feature)
             form = kind, is_ref, is_cont, is_cont and feature.eOpposite is None
         if features_fixed(owner.__class__):  # those of other classes may change yet
             feature.__dict__["_robosmi_form"] = form

@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
+from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, EProxy, ESet, EStructuralFeature
 from robosmi.model.elements.feature_errors import FeatureValueError, not_computed, value_error
+from robosmi.model.elements.pyecore_internals import key_of
+from robosmi.model.elements.structure import refuse_circle
 
 _query: Callable[[Any], Any] | None = None
 
@@ -61,11 +63,16 @@ class Contents(Queryable, list[Any]):
 class Queried(Queryable):
     """Adds the operations of queries to a collection of pyecore's that holds the values of a feature."""
 
+    owner: EObject
+    feature: EStructuralFeature
+    is_cont: bool
+
     def check(self, value: object) -> None:
         """Refuse a value that the feature does not take, as assigning does.
 
         Raises:
             FeatureValueError: it is of another kind, or None in the place of an element.
+            ModelError: it would contain itself.
         """
         if value is None and self._place()[1]:
             raise FeatureValueError(f"{self._place()[0]} takes elements, not None", fix="leave out what is not there")
@@ -74,6 +81,20 @@ class Queried(Queryable):
         except TypeError as error:
             owner, _, name = self._place()[0].rpartition(".")
             raise value_error(owner, name, value, error) from error
+        if self.is_cont:
+            refuse_circle(self.owner, value)
+
+    def _update_opposite(self, owner: Any, new_value: Any, remove: bool = False) -> None:
+        """Set the opposite of a value (`owner`) that is added; what it referred to before lets go of it, as in EMF.
+
+        pyecore leaves the value in the former collection.
+        """
+        opposite = self.feature.eOpposite
+        if opposite is not None and not remove and not opposite.many and owner.__class__ is not EProxy:
+            former = getattr(owner, key_of(opposite))
+            if former is not None and former is not new_value:
+                former.__dict__[key_of(self.feature)].remove(owner, update_opposite=False)
+        super()._update_opposite(owner, new_value, remove)  # type: ignore[misc]
 
     def __iter__(self) -> Iterator[Any]:
         """The values as they are now: changing the collection in a loop over it skips none of them."""
@@ -141,8 +162,8 @@ class FeatureCollection(_Collection):
 
 
 def kind_of(feature: EStructuralFeature) -> Any:
-    """The class of the values of a feature that is not derived."""
-    if feature.unique:
+    """The class of the values of a feature that is not derived. A reference with an opposite has each element once, as in EMF."""
+    if feature.unique or (feature.is_reference and feature.eOpposite is not None):
         return FeatureOrderedSet if feature.ordered else FeatureSet
     return FeatureList if feature.ordered else FeatureBag
 

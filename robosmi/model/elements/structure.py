@@ -52,6 +52,22 @@ def _containments(element: EObject) -> list[tuple[str, bool]]:
     return names
 
 
+def refuse_circle(element: EObject, part: object) -> None:
+    """Refuse a part that contains the element that is to contain it, or is that element.
+
+    Raises:
+        ModelError: it is so.
+    """
+    above: EObject | None = element
+    while above is not None:
+        if above is part:
+            raise ModelError(
+                f"{part!r} cannot be put into {'itself' if part is element else f'{element!r}, which it contains'}",
+                fix="take that out of it first",
+            )
+        above = container_of(above)
+
+
 def walk(root: EObject) -> Iterator[DynamicEObject]:
     """An element and everything it contains, in pre-order."""
     stack: list[Any] = [root]
