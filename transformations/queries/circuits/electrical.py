@@ -23,7 +23,10 @@ from robosmi.transformations.knowledge.electrical_facts import DeviceFacts
 T = TypeVar("T")
 Role = hardware.Role
 Kind = hardware.ConnectorKind
-_VOLTS = re.compile(r"\+?([1-3])v([358])|\+?(\d{1,2})(?:[.,](\d{1,2}))? ?v\d?", re.IGNORECASE)
+_VOLTS = re.compile(
+    r"\+?(?:(?P<units>[1-3])v(?P<tenths>[358])|(?P<whole>\d{1,2})(?:[.,](?P<decimals>\d{1,2}))? ?v\d?)", re.IGNORECASE
+)
+"""Matches `3V3`, `5V`, `+3.3 V`, `12V1`."""
 _GPIO = re.compile(r"[DA]\d+|(?:GPIO|P)\d+")
 NOTHING = DeviceFacts("")
 """The empty facts, for a device about which nothing is known."""
@@ -237,8 +240,7 @@ def stated_volts(label: str) -> float | None:
     found = _VOLTS.fullmatch(label.strip())
     if found is None:
         return None
-    whole, part = (found[1], found[2]) if found[1] else (found[3], found[4] or "0")
-    return float(f"{whole}.{part}")
+    return float(f"{found['units'] or found['whole']}.{found['tenths'] or found['decimals'] or 0}")
 
 
 def who(component: hardware.Component) -> str:

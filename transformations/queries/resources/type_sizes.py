@@ -222,5 +222,6 @@ def _record(members: str, known: Mapping[str, int], pointer: int) -> int | None:
 
 
 def _plain(name: str, known: Mapping[str, int]) -> int | None:
+    """The bytes of a type by its name alone, None if it is not known."""
     fixed = _FIXED_WIDTH.fullmatch(name)
-    return int(fixed[1]) // 8 if fixed is not None else known.get(name)
+    return int(fixed[1]) // _OCTET if fixed is not None else known.get(name)
