@@ -57,7 +57,7 @@ OFF = replace(INSIDE, edited=SWITCHED, made=REGIONS, after=REGIONS, rules={"RS51
 
 
 def test_no_edit_is_lost_in_regenerations() -> None:
-    tally = run(24, seed=21, each=6)
+    tally = run(24, seed=24, each=6)
     assert tally.wrong == []
     assert set(KINDS) <= set(tally.edits)
     assert {"kept", "RS511", "stopped"} <= set(tally.outcomes), "the runs reach too little"

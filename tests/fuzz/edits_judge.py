@@ -125,7 +125,9 @@ def _merged(line: str, one: Round, *, made: bool = False) -> bool:
     before = difflib.get_close_matches(line, gone, n=1, cutoff=0.3)
     added = [word for word in _WORD.findall(line) if word not in _WORD.findall(before[0])] if before else []
     candidates = [_WORD.findall(each) for each in after if each not in {*base, *edited, *new}]
-    return bool(added) and any([word for word in words if word in added] == added for words in candidates)
+    if before and not added:  # only blanks were changed: they are in a line with the other one's words
+        return any(_WORD.findall(each) in candidates for each in (edited if made else new))
+    return any([word for word in words if word in added] == added for words in candidates)
 
 
 def _switched_off(one: Round) -> set[str]:
