@@ -35,7 +35,7 @@ PROGRAMS = Table(
     _column("revision", Text, "commit that was read, 40 digits; null for files of a folder"),
     _column("digest", Text, "SHA-256 over all files that the results depend on, headers included"),
     _column("labels", Text, "JSON object: the labels of the entry and of its row in the list"),
-    _column("state", Text, "done, failed, timeout, too-large or skipped (not run: a file or tool is missing)"),
+    _column("state", Text, "done, failed, timeout, too-large or skipped (not run to its end: a file or tool is missing)"),
     _column("step", Text, "step at which a program that is not done ended"),
     _column("message", Text, "why a program is not done"),
     _column("seconds", Float, "time of all steps"),
