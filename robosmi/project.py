@@ -184,9 +184,14 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
     )
 
 
+def is_console_wait(said: str) -> bool:
+    """Whether a text is a time to wait for a console, in milliseconds."""
+    return said.isdecimal() and int(said) <= LONGEST_WAIT_MS
+
+
 def _wait(path: Path, migrate: Mapping[str, str], text: str) -> int | None:
     said = migrate.get("console_wait_ms")
-    if said is None or (said.isdecimal() and int(said) <= LONGEST_WAIT_MS):
+    if said is None or is_console_wait(said):
         return None if said is None else int(said)
     raise SourceError(
         f"[migrate] console_wait_ms = '{said}' is no time",

@@ -73,9 +73,12 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
         fix="start it and run the same command again: what is stored stays",
     )  # fmt: skip
     try:
+        distributed.comm.get_address_host_port(scheduler, strict=False)  # a client that fails in it waits a minute for its end
         client = distributed.Client(scheduler, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
-        raise SourceError(f"there is no scheduler at {scheduler}", fix="start it: dask scheduler") from error
+        raise SourceError(
+            f"there is no scheduler at {scheduler}", fix="start it: dask scheduler; give its address: tcp://HOST:PORT"
+        ) from error
     try:
         threads = _checked(client, scheduler)
         waiting = iter(jobs)

@@ -1,8 +1,9 @@
 """Compares the results of two runs, program by program: what is better, what is worse, what fails that did not.
 
 A program is as good as its state, then whether it compiles and fits, its verdict, and how many calls still have no body; in this
-order the first difference decides. Programs that only one run has are counted and not judged. A pair of runs of the tool in two
-versions over one corpus is a regression check of the tool.
+order the first difference decides. All failures are alike; one that is skipped now, or was skipped, is worse, as nothing is known
+of one of its results. Programs that only one run has are counted and not judged. A pair of runs of the tool in two versions over
+one corpus is a regression check of the tool.
 """
 
 from __future__ import annotations
@@ -43,8 +44,8 @@ class Comparison(Struct):
 
     Attributes:
         better, worse: programs whose result changed, by their ids.
-        new_failures: programs that were done and are not.
-        same: programs with equal results.
+        new_failures: programs that were done and fail.
+        same: programs with equal results, and those that fail in another way.
         only_before, only_after: programs that only one run has.
     """
 
@@ -84,8 +85,10 @@ def compare(before: Store, after: Store) -> Comparison:
             change = OutcomeChange(program, "state", was.state, now.state, now.message if now.state != DONE else None)
             if was.state == DONE and now.state in FAILURES:
                 found.new_failures.append(change)
-            elif now.state == DONE or was.state in FAILURES:
+            elif now.state == DONE:
                 found.better.append(change)
+            elif was.state in FAILURES and now.state in FAILURES:
+                found.same += 1
             else:
                 found.worse.append(change)
             continue

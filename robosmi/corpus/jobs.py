@@ -9,10 +9,15 @@ from typing import Any
 from msgspec import Struct, field
 
 from robosmi.corpus.states import DONE
+from robosmi.errors import SourceError
 
 Row = dict[str, Any]
 Rows = Mapping[str, Sequence[Mapping[str, Any]]]
 """Name of a table -> rows without their program."""
+
+
+class OutsideError(SourceError):
+    """A program cannot be run for a reason outside of it: a file that it needs is missing, its results cannot be written."""
 
 
 class Limits(Struct, frozen=True):

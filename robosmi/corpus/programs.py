@@ -14,10 +14,11 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
+from robosmi.base.quantities import quantity
 from robosmi.corpus.repositories import checkout
 from robosmi.corpus.spec import ProgramPlace, Spec
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, did_you_mean
 from robosmi.files.files import read_input
 from robosmi.plugins import content
 
@@ -93,7 +94,8 @@ def _of_place(place: ProgramPlace, spec: Spec, out: Path) -> Iterator[ProgramSou
             return
         count = 0
         for count, path in enumerate(_matches(folder, place.glob, out), 1):  # noqa: B007
-            yield ProgramSource(f"{place.prefix}{_shown(str(path), spec)}", str(path), place, labels=place.labels, origin=origin)
+            name = f"{place.prefix}{_shown(str(path), spec)}"
+            yield ProgramSource(name, str(path), place, labels=place.labels, missing=_missing(path), origin=origin)
         if not count:
             path = folder / place.glob if place.glob is not None else folder
             why = "no file matches the pattern" if place.glob is not None else "no source file in it defines main"
@@ -133,6 +135,13 @@ def _matches(folder: Path, pattern: str | None, out: Path | None) -> Iterator[Pa
             yield path
 
 
+def _missing(path: str | Path) -> str | None:
+    """Why a program cannot be read; None if it is there."""
+    if os.path.exists(path):
+        return None
+    return "the link leads to nothing" if os.path.islink(path) else "there is no such file"
+
+
 def _inside(path: Path, out: Path | None) -> bool:
     return out is not None and path.is_relative_to(out)
 
@@ -146,27 +155,57 @@ def _of_list(place: ProgramPlace, spec: Spec) -> Iterator[ProgramSource]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise SourceError(f"the list is not UTF-8: {error.reason}", location=where, fix="save it as UTF-8") from error
-    head = text.partition("\n")[0]
-    rows = csv.DictReader(io.StringIO(text, newline=""), delimiter=max(",;\t", key=head.count))
-    names = [name.strip() for name in rows.fieldnames or ()]
-    rows.fieldnames = names
+    rows = _rows(place.list, text)
+    _, names = next(rows, (1, []))
     if "path" not in names:
-        raise SourceError("the list has no column 'path'", location=where, fix="begin it with the line: id,path")
-    try:
-        for row in rows:
-            line = rows.line_num
-            given = (row.get("path") or "").strip()
-            if not given:
-                if any(isinstance(value, str) and value.strip() for value in row.values()):
-                    raise SourceError("this program has no path", location=Location(str(place.list), line), fix="give its path")
-                continue
-            path = os.path.normpath(os.path.join(os.path.dirname(place.list), given))
-            labels = {name: (row[name] or "").strip() for name in names if name not in ("id", "path", "") and row.get(name)}
-            name = (row.get("id") or "").strip() or _shown(path, spec)
-            there = os.path.lexists(path)
-            yield ProgramSource(
-                f"{place.prefix}{_text(name)}", path, place, labels={**place.labels, **labels},
-                missing=None if there else "there is no such file", origin=f"{place.list.name}, line {line}",
-            )  # fmt: skip
-    except csv.Error as error:
-        raise SourceError(f"the list cannot be read: {error}", location=Location(str(place.list), rows.line_num)) from error
+        said = f"; its columns are: {', '.join(names)}{did_you_mean('path', [name.lower() for name in names])}" if names else ""
+        raise SourceError(f"the list has no column 'path'{said}", location=where, fix="begin it with the line: id,path")
+    for name in names:
+        if name and names.count(name) > 1:
+            raise SourceError(
+                f"two columns of the list are named '{name}'", location=Location(str(place.list), 1), fix="rename one"
+            )
+    count = 0
+    for line, cells in rows:
+        if any(cells[len(names) :]):
+            found = f"this row has {len(cells)} cells, and the list {quantity(len(names), 'column')}"
+            raise SourceError(
+                found, location=Location(str(place.list), line), fix="put a cell that has the separator in quotation marks"
+            )
+        row = dict(zip(names, cells, strict=False))
+        if not row.get("path"):
+            if any(cells):
+                raise SourceError("this program has no path", location=Location(str(place.list), line), fix="give its path")
+            continue
+        count += 1
+        path = os.path.normpath(os.path.join(os.path.dirname(place.list), row["path"]))
+        labels = {name: cell for name, cell in row.items() if name not in ("id", "path", "") and cell}
+        yield ProgramSource(
+            f"{place.prefix}{_text(row.get('id') or _shown(path, spec))}", path, place, labels={**place.labels, **labels},
+            missing=_missing(path), origin=f"{place.list.name}, line {line}",
+        )  # fmt: skip
+    if not count:
+        name = f"{place.prefix}{_shown(str(place.list), spec)}"
+        yield ProgramSource(
+            name, str(place.list), place, labels=place.labels, missing="the list has no programs", origin=place.list.name
+        )
+
+
+def _rows(path: Path, text: str) -> Iterator[tuple[int, list[str]]]:
+    """The line at which each row of a CSV file begins, and its cells without blanks around them.
+
+    Raises:
+        SourceError: a row is no CSV; a quotation mark that nothing closes would take the rows behind it into its cell.
+    """
+    head = text.partition("\n")[0]
+    rows = csv.reader(io.StringIO(text, newline=""), delimiter=max(",;\t", key=head.count), strict=True)
+    while True:
+        line = rows.line_num + 1
+        try:
+            cells = next(rows, None)
+        except csv.Error as error:
+            fix = 'close each quotation mark, and write one that belongs to a text twice: ""'
+            raise SourceError(f"this row is no CSV: {error}", location=Location(str(path), line), fix=fix) from error
+        if cells is None:
+            return
+        yield line, [cell.strip() for cell in cells]

@@ -19,6 +19,7 @@ from robosmi.base.file_locks import lock_now, unlock
 from robosmi.base.quantities import quantity
 from robosmi.corpus.digests import Digests, digest_of_files, digest_of_text, tool_version
 from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramWork
+from robosmi.corpus.output_folders import end_with
 from robosmi.corpus.programs import ProgramSource, program_sources
 from robosmi.corpus.spec import Spec
 from robosmi.corpus.states import DONE, FAILED, FAILURES, SKIPPED, STATES, TIMEOUT, TOO_LARGE
@@ -133,7 +134,6 @@ class CorpusRun:
         self.summary = Summary()
         self.findings: list[Finding] = []
         self._tool = tool_version()
-        self._not_run: set[str] = set()
         self._skipped_reported = 0
         self.progress = RunProgress(0, 0, 0, 0.0)
 
@@ -161,7 +161,7 @@ class CorpusRun:
 
     def _run(self, sources: Sequence[ProgramSource], store: Store, backend: Backend, started: float) -> Iterator[ProgramResult]:
         known = store.known()
-        store.mark_listed({source.id for source in sources})
+        store.mark_listed({source.id: source.labels for source in sources})
         digests = Digests()
         waiting: dict[str, ProgramSource] = {}
         for source in sources:
@@ -180,9 +180,8 @@ class CorpusRun:
         with closing(backend(jobs, self.options.steps)) as results:
             for result in results:
                 source = waiting.pop(result.id)
-                store.record(result, self._facts(source, result), only_if_new=result.state == SKIPPED and not result.steps)
+                end_with(self._output(source), new=store.record(result, self._facts(source, result)))
                 if result.state == SKIPPED:
-                    self._not_run.add(result.id)
                     self._report_skipped(result)
                 self.summary.run += bool(result.steps)
                 progress.ended += 1
@@ -194,8 +193,7 @@ class CorpusRun:
     def _missing(self, source: ProgramSource, store: Store) -> None:
         """Count a program that is not there. What an earlier run has found out about it stays."""
         result = ProgramResult(source.id, SKIPPED, message=source.missing)
-        store.record(result, self._facts(source, result), only_if_new=True)
-        self._not_run.add(source.id)
+        store.record(result, self._facts(source, result))
         self._report_skipped(result)
 
     def _settings(self, source: ProgramSource) -> str:
@@ -226,9 +224,13 @@ class CorpusRun:
         place = source.place
         work = ProgramWork(
             source.id, source.path, list(place.include_dirs), list(place.defines), dict(place.migrate), dict(self.spec.migrate),
-            str(self.out / RESULTS / folder_name(source.id)), self.options.keep_models,
+            self._output(source), self.options.keep_models,
         )  # fmt: skip
         return ProgramJob(work, self.options.steps, self.spec.limits, self._tool)
+
+    def _output(self, source: ProgramSource) -> str:
+        """The folder for the results of a program."""
+        return str(self.out / RESULTS / folder_name(source.id))
 
     def _facts(self, source: ProgramSource, result: ProgramResult) -> dict[str, Any]:
         """The columns of `programs` that the worker does not know."""
@@ -259,9 +261,9 @@ class CorpusRun:
     def _close(self, store: Store) -> None:
         """Count the programs by their state now, and report those that failed."""
         summary = self.summary
-        counts = store.counts(self._not_run)
+        counts = store.counts()
         summary.done, summary.failed, summary.timeout = counts.get(DONE, 0), counts.get(FAILED, 0), counts.get(TIMEOUT, 0)
-        summary.too_large, summary.skipped = counts.get(TOO_LARGE, 0), len(self._not_run)
+        summary.too_large, summary.skipped = counts.get(TOO_LARGE, 0), counts.get(SKIPPED, 0)
         failures = ", ".join(f"'{state}'" for state in FAILURES)
         sql = f"SELECT id, path, state, step, message FROM programs WHERE listed AND state IN ({failures}) ORDER BY id"
         for name, path, state, step, message in store.query(f"{sql} LIMIT {SHOWN}").rows:

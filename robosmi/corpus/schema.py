@@ -34,8 +34,8 @@ PROGRAMS = Table(
     _column("repository", Text, "absolute path of the git repository; null for files of a folder"),
     _column("revision", Text, "commit that was read, 40 digits; null for files of a folder"),
     _column("digest", Text, "SHA-256 over all files that the results depend on, headers included"),
-    _column("labels", Text, "JSON object: the label columns of the list"),
-    _column("state", Text, "done, failed, timeout, too-large or skipped (not run: a file or tool is missing)"),
+    _column("labels", Text, "JSON object: the labels of the entry and of its row in the list"),
+    _column("state", Text, "done, failed, timeout, too-large or skipped (not run to its end: a file or tool is missing)"),
     _column("step", Text, "step at which a program that is not done ended"),
     _column("message", Text, "why a program is not done"),
     _column("seconds", Float, "time of all steps"),
@@ -84,7 +84,11 @@ CALLS = Table(
     _column("line", Integer, "line of the call"),
     _column("path", Text, "file of the call"),
     _column("disposition", Text, "adapt, retain or unsupported after a migration; unknown if nothing declares it; else null"),
-    _column("has_body", Boolean, "whether an adapter with a body replaces it on the target"),
+    _column(
+        "has_body", Boolean,
+        "whether an adapter with a body replaces it on the target; null before a migration if no adapter of the function is "
+        "known, as for a sketch",
+    ),
     comment="calls of the platform's functions, and of functions that nothing known declares",
 )  # fmt: skip
 PINS = Table(

@@ -6,6 +6,7 @@ An unknown key is an error that suggests the nearest known one. Which programs a
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from robosmi.corpus.jobs import Limits
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.files.files import read_input
+from robosmi.project import LONGEST_WAIT_MS, is_console_wait
 
 STEPS = ("analyse", "migrate", "compile", "verify")
 """The steps there are, in their order."""
@@ -26,7 +28,9 @@ _TABLES = ("programs", "migrate", "limits", "steps", "keep_models")
 _PROGRAMS = ("folder", "glob", "git", "revision", "list", "prefix", "include_dirs", "defines", "migrate", "labels")
 _MIGRATE = ("hardware", "target", "source_platform", "from", "console_wait_ms")
 _LIMITS = ("seconds", "megabytes")
-_MOST_MB, _MOST_S = 1 << 20, 7 * 86_400.0
+_LEAST_MB, _MOST_MB, _MOST_S = 100, 1 << 20, 7 * 86_400.0
+"""A worker process takes up to 80 MB before it looks at a program."""
+_MACRO = re.compile(r"[A-Za-z_]\w*(=|\Z)", re.ASCII)
 
 
 class ProgramPlace(Struct, frozen=True):
@@ -147,6 +151,9 @@ def _place(path: Path, folder: Path, entry: Json, number: int) -> ProgramPlace:
         if key in entry and (not isinstance(entry[key], str) or not entry[key]):
             raise _wrong(path, f"{key} of {where} is no text", f'write {key} = "..."')
     kinds = [key for key in ("folder", "git", "list") if key in entry]
+    if kinds == ["folder", "git"]:
+        advice = f'name the folder in the repository by a pattern: glob = "{entry["folder"]}/**/*.c"'
+        raise _wrong(path, f"{where} has folder and git", advice)
     if len(kinds) > 1:
         raise _wrong(path, f"{where} has {' and '.join(kinds)}", "write an entry for each")
     if not kinds and "glob" not in entry:
@@ -159,10 +166,25 @@ def _place(path: Path, folder: Path, entry: Json, number: int) -> ProgramPlace:
     return ProgramPlace(
         folder / str(entry.get("folder", "")), _optional(entry.get("glob")), folder / str(git) if git else None,
         str(entry.get("revision", "HEAD")), folder / str(listed) if listed else None, str(entry.get("prefix", "")),
-        tuple(str(folder / each) for each in _list_of_texts(path, entry, "include_dirs")),
-        tuple(_list_of_texts(path, entry, "defines")), _texts(path, entry, "migrate", _MIGRATE, folder),
+        _include_dirs(path, folder, entry, where), _defines(path, entry, where), _texts(path, entry, "migrate", _MIGRATE, folder),
         _texts(path, entry, "labels", None, folder), number,
     )  # fmt: skip
+
+
+def _include_dirs(path: Path, folder: Path, entry: Mapping[str, Json], where: str) -> tuple[str, ...]:
+    names = _list_of_texts(path, entry, "include_dirs")
+    for name in names:
+        if not (folder / name).is_dir():
+            raise _wrong(path, f"include_dirs of {where}: there is no folder '{name}'", "paths are relative to the specification")
+    return tuple(str(folder / name) for name in names)
+
+
+def _defines(path: Path, entry: Mapping[str, Json], where: str) -> tuple[str, ...]:
+    found = _list_of_texts(path, entry, "defines")
+    for each in found:
+        if not _MACRO.match(each):
+            raise _wrong(path, f"defines of {where}: '{each}' is no macro", "write NAME or NAME=VALUE")
+    return tuple(found)
 
 
 def _optional(value: Json) -> str | None:
@@ -181,6 +203,9 @@ def _texts(path: Path, data: Mapping[str, Json], name: str, known: Sequence[str]
     found = {key: str(value) for key, value in table.items()}
     if known is not None and "hardware" in found:
         found["hardware"] = str(folder / found["hardware"])
+    if known is not None and (wait := found.get("console_wait_ms")) is not None and not is_console_wait(wait):
+        advice = f'write whole milliseconds from "0" (no wait) to "{LONGEST_WAIT_MS}"'
+        raise _wrong(path, f'[{name}] console_wait_ms = "{wait}" is no time', advice)
     return found
 
 
@@ -197,12 +222,21 @@ def _limits(path: Path, table: Json, of: Limits = Limits(), inner: bool = False)
     _known(path, table, _LIMITS if inner else (*_LIMITS, *STEPS), "key in [limits]")
     seconds, megabytes = table.get("seconds", of.seconds), table.get("megabytes", of.megabytes)
     if isinstance(seconds, bool) or not isinstance(seconds, (int, float)) or not 0 < seconds <= _MOST_S or math.isnan(seconds):
-        raise _wrong(path, f"[limits] seconds = {seconds} is no time", f"write a number above 0, at most {_MOST_S:.0f}")
-    if isinstance(megabytes, bool) or not isinstance(megabytes, int) or not 0 < megabytes <= _MOST_MB:
-        raise _wrong(path, f"[limits] megabytes = {megabytes} is no memory", f"write a whole number from 1 to {_MOST_MB}")
+        raise _wrong(path, f"[limits] seconds = {_written(seconds)} is no time", f"write a number above 0, at most {_MOST_S:.0f}")
+    if isinstance(megabytes, bool) or not isinstance(megabytes, int):
+        message = f"[limits] megabytes = {_written(megabytes)} is no whole number"
+        raise _wrong(path, message, "write it without quotation marks and without a point: megabytes = 1000")
+    if not _LEAST_MB <= megabytes <= _MOST_MB:
+        advice = f"write a whole number from {_LEAST_MB}, which a worker process needs, to {_MOST_MB}"
+        raise _wrong(path, f"[limits] megabytes = {megabytes} is too {'little' if megabytes < _LEAST_MB else 'much'}", advice)
     made = Limits(float(seconds), megabytes)
     steps = {step: _limits(path, table[step], made, inner=True) for step in STEPS if not inner and step in table}
     return Limits(made.seconds, made.megabytes, steps)
+
+
+def _written(value: Json) -> str:
+    """A value as TOML has it, for messages."""
+    return f'"{value}"' if isinstance(value, str) else str(value).lower()
 
 
 def _known(path: Path, data: Mapping[str, Json], known: Sequence[str], what: str) -> None:

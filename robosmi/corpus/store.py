@@ -7,15 +7,14 @@ committed survives a killed process, and readers do not wait. Questions of users
 from __future__ import annotations
 
 import sqlite3
-from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
-from sqlalchemy import Connection, CursorResult, Engine, create_engine, delete, event, insert, inspect, select, update
+from sqlalchemy import Connection, CursorResult, Engine, create_engine, delete, event, func, insert, inspect, select, update
 from sqlalchemy.engine import make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, SQLAlchemyError
 from sqlalchemy.pool import NullPool
@@ -25,6 +24,7 @@ from robosmi.base.data_text import json_written
 from robosmi.corpus.digests import digest_of_files
 from robosmi.corpus.jobs import ProgramResult
 from robosmi.corpus.schema import CORPUS, DETAILS, FILES, PROGRAMS, STEPS, TABLES, VERSION
+from robosmi.corpus.states import DONE, SKIPPED
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError, UsageError
 
@@ -184,13 +184,18 @@ class Store:
             )  # fmt: skip
             return {row[0]: StoredResult(*row[1:], files.get(row[0], {})) for row in db.execute(select(*columns))}
 
-    def record(self, result: ProgramResult, facts: Mapping[str, Any], *, only_if_new: bool = False) -> None:
+    def record(self, result: ProgramResult, facts: Mapping[str, Any]) -> bool:
         """Replace the rows of a program by those of a new result, in one transaction.
+
+        A result that is `skipped`, which is no fault of the program, replaces none that got further: of that, only the state, the
+        step and the message change.
 
         Args:
             result: the result.
             facts: the other columns of `programs`.
-            only_if_new: whether rows that are there already stay.
+
+        Returns:
+            Whether the rows were replaced.
         """
         row = {
             **facts, "id": result.id, "digest": digest_of_files(result.files), "state": result.state, "step": result.step,
@@ -198,11 +203,11 @@ class Store:
             "finished": datetime.now(UTC).isoformat(timespec="milliseconds"), "labels": json_written(facts["labels"]),
         }  # fmt: skip
         with self._faults(), self._engine.begin() as db:
-            if db.execute(select(PROGRAMS.c.id).where(PROGRAMS.c.id == result.id)).first() is not None:
-                if only_if_new:
-                    db.execute(update(PROGRAMS).where(PROGRAMS.c.id == result.id).values(listed=True))
-                    return
-                self._remove(db, result.id)
+            if result.state == SKIPPED and _steps_done(db, result.id) > sum(step.state == DONE for step in result.steps):
+                now = {key: row[key] for key in ("state", "step", "message", "labels", "listed")}
+                db.execute(update(PROGRAMS).where(PROGRAMS.c.id == result.id).values(now))
+                return False
+            self._remove(db, result.id)
             db.execute(insert(PROGRAMS), row)
             self._add(db, FILES.name, result.id, [{"path": path, "digest": each} for path, each in result.files.items()])
             steps = [
@@ -212,6 +217,7 @@ class Store:
             self._add(db, STEPS.name, result.id, steps)
             for table, rows in result.rows().items():
                 self._add(db, table, result.id, rows)
+        return True
 
     @staticmethod
     def _remove(db: Connection, program: str) -> None:
@@ -224,21 +230,21 @@ class Store:
         if rows:
             db.execute(insert(TABLES.tables[table]), [{**row, "program": program} for row in rows])
 
-    def mark_listed(self, ids: Collection[str]) -> None:
-        """Note which programs the specification has: these, and no others."""
-        with self._faults(), self._engine.begin() as db:
-            for program, listed in db.execute(select(PROGRAMS.c.id, PROGRAMS.c.listed)).all():
-                if bool(listed) != (program in ids):
-                    db.execute(update(PROGRAMS).where(PROGRAMS.c.id == program).values(listed=program in ids))
-
-    def counts(self, without: Collection[str] = ()) -> dict[str, int]:
-        """State -> the number of programs that the last specification has.
+    def mark_listed(self, labels: Mapping[str, Mapping[str, str]]) -> None:
+        """Note which programs the specification has, these and no others, and their labels.
 
         Args:
-            without: ids of programs that do not count.
+            labels: id of a program -> its labels.
         """
-        with self.reading("SELECT id, state FROM programs WHERE listed") as (_, rows):
-            return Counter(state for program, state in rows if program not in without)
+        with self._faults(), self._engine.begin() as db:
+            for program, *stored in db.execute(select(PROGRAMS.c.id, PROGRAMS.c.listed, PROGRAMS.c.labels)).all():
+                now = [True, json_written(labels[program])] if program in labels else [False, stored[1]]
+                if now != stored:
+                    db.execute(update(PROGRAMS).where(PROGRAMS.c.id == program).values(listed=now[0], labels=now[1]))
+
+    def counts(self) -> dict[str, int]:
+        """State -> the number of programs that the last specification has."""
+        return dict(self.query("SELECT state, count(*) FROM programs WHERE listed GROUP BY state").rows)
 
     def query(self, sql: str) -> SqlAnswer:
         """The answer to a question in SQL, which can change nothing.
@@ -280,6 +286,12 @@ class Store:
     def close(self) -> None:
         """Close the connections."""
         self._engine.dispose()
+
+
+def _steps_done(db: Connection, program: str) -> int:
+    """The number of steps that a stored result of a program has done."""
+    found = select(func.count()).select_from(STEPS).where(STEPS.c.program == program, STEPS.c.state == DONE)
+    return db.execute(found).scalar_one()
 
 
 def _authorised(action: int, *_: object) -> int:

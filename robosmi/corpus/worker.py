@@ -16,7 +16,6 @@ from __future__ import annotations
 import errno
 import gc
 import os
-import shutil
 import sys
 import threading
 import time
@@ -28,7 +27,8 @@ import msgspec
 
 from robosmi.corpus import memory
 from robosmi.corpus.digests import digest_of, tool_version
-from robosmi.corpus.jobs import ProgramJob, ProgramStep, Row
+from robosmi.corpus.jobs import OutsideError, ProgramJob, ProgramStep, Row
+from robosmi.corpus.output_folders import begin_with
 from robosmi.corpus.states import DONE, FAILED, SKIPPED, TOO_LARGE
 from robosmi.errors import MissingToolError, RobosmiError, TooLargeError
 from robosmi.inputs import InputRejectedError
@@ -37,7 +37,8 @@ from robosmi.plugins import content
 Send = Callable[[dict[str, Any]], None]
 _COLLECT = 100
 """Programs after which all garbage is looked for; to look after each takes as long as half an analysis."""
-_FULL = (errno.ENOSPC, errno.EDQUOT)
+_OUTSIDE = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES)
+"""Faults of files that are none of the program: a full disk, a place that may not be read or written."""
 
 
 def main() -> None:
@@ -102,8 +103,6 @@ def run_program(job: ProgramJob, send: Send) -> None:
     except Exception:  # the steps will say what is wrong with the program
         files = {work.path: digest_of(work.path)}
     send({"files": files})
-    if work.output:
-        shutil.rmtree(work.output, ignore_errors=True)  # the results of an earlier run
     for step in job.steps:
         send({"begin": step})
         memory.reset_peak()
@@ -111,6 +110,8 @@ def run_program(job: ProgramJob, send: Send) -> None:
         done = ProgramStep(step)
         started = time.perf_counter()
         try:
+            if work.output and step == job.steps[0]:
+                begin_with(work.output)
             done.rows = {table: list(rows) for table, rows in content("chain", f"corpus_{step}")(work).items()}
         except MemoryError:
             done.state, done.message = TOO_LARGE, f"it needs more than {job.limits.of(step).megabytes} MB"
@@ -153,10 +154,10 @@ def causes(error: BaseException) -> Iterator[BaseException]:
 def state_of(error: BaseException) -> str:
     """The state of a program whose step raised an exception.
 
-    A missing tool and a full disk are no faults of the program: it counts as not run, and the next run tries it again.
+    A missing tool or file and a full disk are no faults of the program: it counts as not run, and the next run tries it again.
     """
     for each in causes(error):
-        if isinstance(each, MissingToolError) or (isinstance(each, OSError) and each.errno in _FULL):
+        if isinstance(each, (MissingToolError, OutsideError)) or (isinstance(each, OSError) and each.errno in _OUTSIDE):
             return SKIPPED
         if isinstance(each, (MemoryError, TooLargeError)) or (isinstance(each, InputRejectedError) and each.errno == errno.EFBIG):
             return TOO_LARGE

@@ -7,9 +7,13 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable, Generator, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from robosmi.corpus.jobs import ProgramJob, ProgramResult
+from robosmi.corpus.running import CorpusRun, RunOptions, Summary
+from robosmi.corpus.spec import read_spec
 from robosmi.corpus.store import Store
 
 HERE = Path(__file__).parent
@@ -56,3 +60,16 @@ def rows(out: Path, sql: str) -> list[tuple[Any, ...]]:
         return store.query(sql).rows
     finally:
         store.close()
+
+
+def run_here(
+    spec: Path, out: Path, run_one: Callable[[ProgramJob], ProgramResult], steps: Sequence[str] = ("analyse",)
+) -> Summary:
+    """Run a corpus in this process: what each program results in is what a function says."""
+
+    def backend(jobs: Iterator[ProgramJob], _: Sequence[str]) -> Generator[ProgramResult, None, None]:
+        yield from map(run_one, jobs)
+
+    made = CorpusRun(read_spec(spec), out, RunOptions(tuple(steps)))
+    list(made.results(backend))
+    return made.summary

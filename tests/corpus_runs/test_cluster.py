@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.corpus.cluster import run_on_cluster
 from robosmi.corpus.schema import TABLES, VERDICTS
+from robosmi.errors import SourceError
 from tests.corpus_runs.clusters import cluster, finished, run_with_a_lost_worker, until_lines
 from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty
 from tests.tools import require_tools
@@ -62,6 +64,13 @@ def test_no_scheduler(tmp_path: Path) -> None:
     code, document = run_faulty("run", spec, "-o", tmp_path / "out", "--scheduler", "tcp://127.0.0.1:9")
     assert code == 3
     assert "no scheduler" in document["findings"][0]["message"]
+
+
+@pytest.mark.parametrize("place", ["nonsense", "tcp://host", "tpc://host:8786", "tcp://host:port"])
+def test_an_address_of_no_scheduler_makes_no_client(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("distributed.Client", lambda *_, **__: pytest.fail("its end would have to be waited for"))
+    with pytest.raises(SourceError, match="no scheduler"):
+        next(run_on_cluster(place, iter(()), ("analyse",)))
 
 
 def test_a_scheduler_that_dies_ends_the_run_which_goes_on_later(tmp_path: Path) -> None:

@@ -160,8 +160,9 @@ def test_a_full_disk_ends_the_run_and_what_is_stored_stays(tmp_path: Path) -> No
     spec = faulty(tmp_path / "all", **dict.fromkeys(names, "good"))
     out = tmp_path / "out"
     words = ["corpus", "run", str(spec), "-o", str(out), "--jobs", "1"]
+    whole = {**environment(), "PYTHONDONTWRITEBYTECODE": "1"}  # a compiled module that is cut off would stay in the cache
     done = subprocess.run(
-        [sys.executable, "-c", LIMITED, "250000", *words], capture_output=True, text=True, env=environment(), check=False
+        [sys.executable, "-c", LIMITED, "250000", *words], capture_output=True, text=True, env=whole, check=False
     )
     assert done.returncode == 3, done.stderr
     assert "Traceback" not in done.stderr
@@ -182,7 +183,10 @@ def test_an_output_folder_that_cannot_be_written(tmp_path: Path) -> None:
     [["--steps", "analyze"], ["--steps", "compile"], ["--steps", ""], ["--retry", "broken"], ["--jobs", "0"], ["--jobs", "x"]],
 )
 def test_wrong_options(words: list[str], tmp_path: Path) -> None:
-    assert run("corpus", "run", copied(tmp_path), "-o", tmp_path / "out", "--json", *words).code == 2
+    refused = run("corpus", "run", copied(tmp_path), "-o", tmp_path / "out", "--json", *words)
+    assert refused.code == 2
+    if "--jobs" in words:
+        assert f"'{words[1]}' is not a whole number from 1 to 1024" in refused.document["findings"][0]["message"]
 
 
 def test_no_database_driver_or_server(tmp_path: Path) -> None:

@@ -37,6 +37,8 @@ def test_sql_is_answered_as_text_json_and_csv(out: Path) -> None:
         "columns": ["id", "state"], "rows": [{"id": "programs/blink.c", "state": "done"}],
     }  # fmt: skip
     assert run("corpus", "query", out, sql, "--csv").out == "id,state\nprograms/blink.c,done\n"
+    twice = run("corpus", "query", out, "SELECT 1 AS a, 2 AS a, 3 AS a_2, 4 AS a", "--json").result
+    assert twice == {"columns": ["a", "a_3", "a_2", "a_4"], "rows": [{"a": 1, "a_3": 2, "a_2": 3, "a_4": 4}]}
     assert run("corpus", "query", out, "SELECT message, ':x' FROM programs WHERE state = 'failed'", "--json").code == 0
 
 

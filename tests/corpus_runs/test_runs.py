@@ -167,7 +167,8 @@ def test_a_list_has_ids_paths_and_labels(tmp_path: Path) -> None:
     (tmp_path / "programs" / "blink.c").unlink()  # it was run: what is known of it stays
     again = corpus_run(spec, out)
     assert again.result | {"done": 1, "skipped": 2, "run": 0} == again.result
-    assert rows(out, "SELECT state FROM programs WHERE id = 'hall'") == [("done",)]
+    assert rows(out, "SELECT state FROM programs WHERE id = 'hall'") == [("skipped",)]
+    assert rows(out, "SELECT count(*) > 0 FROM calls WHERE program = 'hall'") == [(1,)]
 
 
 def test_a_folder_without_a_pattern_and_a_folder_as_a_program(tmp_path: Path) -> None:

@@ -20,15 +20,24 @@ WRONG = {
     "[[programs]]\nrevision = 'a'": "says nowhere",
     "[[programs]]\nfolder = '.'\nrevision = 'a'": "a revision and no git",
     "[[programs]]\nfolder = '.'\ngit = 'a'": "folder and git",
+    "[[programs]]\nfolder = 'sub'\ngit = 'b'": "folder and git",
     "[[programs]]\nlist = 'a'\nglob = 'a'": "a glob and a list",
     "[[programs]]\nfolder = '.'\n[migrate]\ntarged = 'uno'": "did you mean 'target'",
     "[[programs]]\nfolder = '.'\n[programs.migrate]\nhardwear = 'a'": "did you mean 'hardware'",
+    "[[programs]]\nfolder = '.'\n[migrate]\nconsole_wait_ms = 'long'": 'console_wait_ms = "long" is no time',
     "[[programs]]\nfolder = '.'\n[limits]\nsecond = 3": "did you mean 'seconds'",
     "[[programs]]\nfolder = '.'\n[limits]\nseconds = 0": "seconds = 0 is no time",
     "[[programs]]\nfolder = '.'\n[limits]\nseconds = nan": "is no time",
-    "[[programs]]\nfolder = '.'\n[limits]\nmegabytes = 1.5": "megabytes = 1.5 is no memory",
+    "[[programs]]\nfolder = '.'\n[limits]\nmegabytes = 1.5": "megabytes = 1.5 is no whole number",
+    "[[programs]]\nfolder = '.'\n[limits]\nmegabytes = '1'": 'megabytes = "1" is no whole number',
+    "[[programs]]\nfolder = '.'\n[limits]\nmegabytes = 10": "megabytes = 10 is too little",
+    "[[programs]]\nfolder = '.'\n[limits.verify]\nmegabytes = 99": "megabytes = 99 is too little",
+    "[[programs]]\nfolder = '.'\n[limits]\nmegabytes = 99999999": "megabytes = 99999999 is too much",
     "[[programs]]\nfolder = '.'\n[limits.verify]\nmegabyte = 1": "did you mean 'megabytes'",
     "[[programs]]\nfolder = '.'\ninclude_dirs = 'a'": "include_dirs is no list of texts",
+    "[[programs]]\nfolder = '.'\ninclude_dirs = ['.', 'inc']": "include_dirs of [[programs]] number 1: there is no folder 'inc'",
+    "[[programs]]\nfolder = '.'\ndefines = ['A', 'B=1 2', '2X=1']": "defines of [[programs]] number 1: '2X=1' is no macro",
+    "[[programs]]\nfolder = '.'\ndefines = ['-DA']": "'-DA' is no macro",
     "steps = ['analyze']\n[[programs]]\nfolder = '.'": "did you mean 'analyse'",
     "steps = ['compile']\n[[programs]]\nfolder = '.'": "needs the step 'migrate'",
     "keep_models = 1\n[[programs]]\nfolder = '.'": "neither true nor false",
@@ -93,7 +102,16 @@ def test_two_programs_of_one_id_are_an_error_that_names_both(tmp_path: Path) -> 
 
 @pytest.mark.parametrize(
     ("data", "message"),
-    [(b"name,site\n", "no column 'path'"), (b"id,path\na,\n", "no path"), (b"id,path\n\xff\xfe,\n", "not UTF-8")],
+    [
+        (b"name,site\n", "no column 'path'; its columns are: name, site"),
+        (b"id,Path\na,b.c\n", "its columns are: id, Path (did you mean 'path'?)"),
+        (b"id,path\na,\n", "list.csv:2: this program has no path"),
+        (b"id,path\n\xff\xfe,\n", "not UTF-8"),
+        (b'id,path,site\na,a.c,x\nb,b.c,"5\nc,c.c,y\n', "list.csv:3: this row is no CSV: unexpected end of data"),
+        (b'id,path,site\nb,b.c,"5\nc,c.c,"y"\n', "list.csv:2: this row is no CSV"),
+        (b"id,path\na,a.c\nb,b.c,x\n", "list.csv:3: this row has 3 cells, and the list 2 columns"),
+        (b"id,path,site,site\na,a.c,x,y\n", "list.csv:1: two columns of the list are named 'site'"),
+    ],
 )
 def test_a_list_that_cannot_be_read(data: bytes, message: str, tmp_path: Path) -> None:
     spec = tmp_path / "spec.toml"
@@ -101,7 +119,33 @@ def test_a_list_that_cannot_be_read(data: bytes, message: str, tmp_path: Path) -
     spec.write_text("[[programs]]\nlist = 'list.csv'\n", encoding="utf-8")
     with pytest.raises(SourceError) as refused:
         program_sources(read_spec(spec), tmp_path / "out")
-    assert message in refused.value.message
+    assert message in str(refused.value)
+    assert refused.value.fix
+
+
+@pytest.mark.parametrize("separator", ",;\t")
+def test_cells_of_a_list_may_have_separators_and_lines_in_quotation_marks(separator: str, tmp_path: Path) -> None:
+    spec = tmp_path / "spec.toml"
+    rows = (["path", "site"], ["a.c", f'"one{separator}\n""two"""'], ["", ""], ["b.c"])
+    (tmp_path / "list.csv").write_text("\n".join(map(separator.join, rows)), encoding="utf-8")
+    spec.write_text("[[programs]]\nlist = 'list.csv'\n", encoding="utf-8")
+    found = program_sources(read_spec(spec), tmp_path / "out")
+    assert [(each.id, each.labels, each.origin) for each in found] == [
+        ("a.c", {"site": f'one{separator}\n"two"'}, "list.csv, line 2"), ("b.c", {}, "list.csv, line 5"),
+    ]  # fmt: skip
+
+
+def test_a_list_without_rows_and_links_to_nothing_are_programs_that_are_missing(tmp_path: Path) -> None:
+    spec = tmp_path / "spec.toml"
+    (tmp_path / "list.csv").write_text("id,path\n\n", encoding="utf-8")
+    (tmp_path / "other.csv").write_text("path\nlink.c\n", encoding="utf-8")
+    (tmp_path / "link.c").symlink_to("nowhere.c")
+    lists = "".join(f"[[programs]]\nlist = '{name}.csv'\nprefix = 'of '\n" for name in ("list", "other"))
+    spec.write_text(f"{lists}[[programs]]\nglob = '*.c'\n", encoding="utf-8")
+    assert [(each.id, each.missing) for each in program_sources(read_spec(spec), tmp_path / "out")] == [
+        ("of list.csv", "the list has no programs"), ("of link.c", "the link leads to nothing"),
+        ("link.c", "the link leads to nothing"),
+    ]  # fmt: skip
 
 
 def test_links_in_circles_are_not_followed(tmp_path: Path) -> None:

@@ -13,11 +13,13 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
+
 from robosmi import inputs
 from robosmi.base.data_text import json_written
 from robosmi.base.user_folders import OWN
-from robosmi.corpus.jobs import ProgramWork, Row, Rows
-from robosmi.diagnostics import Finding, Task
+from robosmi.corpus.jobs import OutsideError, ProgramWork, Row, Rows
+from robosmi.diagnostics import Finding, Location, Task
 from robosmi.errors import RobosmiError
 from robosmi.metamodels import ccode, migration
 from robosmi.model import save_model
@@ -129,6 +131,7 @@ def _settings(work: ProgramWork, project: Project) -> dict[str, str]:
     beside = {
         "hardware": str(project.hardware) if project.hardware is not None else None, "target": project.target,
         "source_platform": project.source_platform, "from": project.source_board,
+        "console_wait_ms": str(project.console_wait_ms) if project.console_wait_ms is not None else None,
     }  # fmt: skip
     return {**work.defaults, **{key: value for key, value in beside.items() if value is not None}, **work.migrate}
 
@@ -139,6 +142,20 @@ def _sources(work: ProgramWork) -> list[Path]:
     if not path.is_dir():
         return [path]
     return [Path(file.path) for file in source_files([path], work.include_dirs, work.defines)]
+
+
+def _output(work: ProgramWork) -> Path:
+    """The folder for the results of the program, which is made if need be.
+
+    Raises:
+        OutsideError: it cannot be made.
+    """
+    try:
+        Path(work.output).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        place = Location(work.output)
+        raise OutsideError(f"cannot write here: {error.strerror}", location=place, fix="check the folder") from error
+    return Path(work.output)
 
 
 def analyse_step(work: ProgramWork) -> Rows:
@@ -164,7 +181,7 @@ def analyse_step(work: ProgramWork) -> Rows:
             rows["calls"] += [_call(call["name"], None, line, unit["path"], "unknown", False) for line in call["lines"]]
         rows["pins"] += [{**_pin(use), "path": unit["path"]} for use in unit["pin_uses"]]
     if work.keep_models:
-        place = Path(work.output) / "analysis" / "code.xmi"
+        place = _output(work) / "analysis" / "code.xmi"
         place.parent.mkdir(parents=True, exist_ok=True)
         save_model(found.program, place)
         rows["models"] = [{"kind": "code", "path": str(place)}]
@@ -207,10 +224,16 @@ def migrate_step(work: ProgramWork) -> Rows:
     Raises:
         RobosmiError: it cannot be migrated.
     """
-    settings, output = _settings(work, load_project(work.folder)), Path(work.output) / MIGRATION
+    project, output = load_project(work.folder), _output(work) / MIGRATION
+    settings = _settings(work, project)
+    if (wait := settings.get("console_wait_ms")) is not None:
+        project = replace(project, console_wait_ms=int(wait))
+    if (drawing := settings.get("hardware")) is not None and not os.path.exists(drawing):
+        raise OutsideError("there is no such drawing", location=Location(drawing), fix="check hardware")
     made = migrate(
-        [work.path], output, hardware=settings.get("hardware"), target=settings.get("target"),
-        source_platform=settings.get("source_platform"), include_dirs=[Path(each) for each in work.include_dirs],
+        [work.path], output, project=project, hardware=settings.get("hardware"), target=settings.get("target"),
+        source_platform=settings.get("source_platform"), source_board=settings.get("from"),
+        include_dirs=[Path(each) for each in work.include_dirs],
         defines=work.defines, history=str(output.with_name("history.sqlite")),
     )  # fmt: skip
     plan = made.result()["plan"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -19,8 +19,15 @@ if TYPE_CHECKING:
     from robosmi.cli.options import ActionOptions
     from robosmi.corpus.running import RunProgress
 
+_MOST_JOBS = 1024
 _LOG_S = 60.0
 """Seconds between two lines in a log."""
+
+
+_STEPS_HELP = (
+    "analyse, migrate, compile, verify; separated by commas; compile and verify need migrate "
+    "(default: steps of SPEC.toml, else analyse)"
+)
 
 
 def configure(parser: ActionOptions) -> None:
@@ -31,7 +38,7 @@ def configure(parser: ActionOptions) -> None:
     run.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
     run.add_argument("--jobs", metavar="N", type=_count, help="number of worker processes (default: the processor's cores)")
     run.add_argument("--scheduler", metavar="URL", help="scheduler of Dask (tcp://HOST:PORT), instead of worker processes here")
-    run.add_argument("--steps", metavar="LIST", help="analyse, migrate, compile, verify; separated by commas (default: analyse)")
+    run.add_argument("--steps", metavar="LIST", help=_STEPS_HELP)
     run.add_argument("--retry", metavar="STATES", help="also run programs again that ended so: failed, timeout, too-large")
     run.add_argument("--models", action="store_true", help="keep the models of each program as XMI files")
     query = actions.add_parser("query", help="answer a question in SQL")
@@ -62,12 +69,11 @@ def _count(text: str) -> int:
     """A number of processes.
 
     Raises:
-        ValueError: it is none.
+        argparse.ArgumentTypeError: it is none.
     """
-    number = int(text)
-    if not 1 <= number <= 1024:
-        raise ValueError
-    return number
+    if not text.isdecimal() or not 1 <= int(text) <= _MOST_JOBS:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1 to {_MOST_JOBS}")
+    return int(text)
 
 
 class _Arguments(argparse.Namespace):
@@ -169,9 +175,21 @@ def _query(arguments: _Arguments, report: Report) -> None:
         raise UsageError("--csv and --json are both given", fix="give one of them")
     with Store(store_place(arguments.output, arguments.store)) as store:
         answer = store.query(arguments.sql)
-    rows = [dict(zip(answer.columns, row, strict=True)) for row in answer.rows]
-    report.result = {"columns": list(answer.columns), "rows": rows}
+    columns = _distinct(answer.columns)
+    report.result = {"columns": columns, "rows": [dict(zip(columns, row, strict=True)) for row in answer.rows]}
     report.lines = as_csv(answer) if arguments.csv else _table(answer.columns, answer.rows)
+
+
+def _distinct(names: Sequence[str]) -> list[str]:
+    """Names of columns as keys: a further column of one name has a number, as in a, a_2."""
+    found: list[str] = []
+    for name in names:
+        number, key = 1, name
+        while key in found or (number > 1 and key in names):
+            number += 1
+            key = f"{name}_{number}"
+        found.append(key)
+    return found
 
 
 def _table(columns: tuple[str, ...], rows: list[tuple[object, ...]]) -> list[str]:
