@@ -44,11 +44,16 @@ def histogram(values: Sequence[float], unit: str, title: str) -> str:
     counts = [0] * (int(most / width) + 1)
     for value in values:
         counts[int(value / width)] += 1
-    rows = [
-        (f"{number * width:g} to {(number + 1) * width:g} {unit}".rstrip(), float(count), "plain")
-        for number, count in enumerate(counts)
-    ]
+    whole = all(value == int(value) for value in (*values, width))
+    rows = [(_range(number * width, width, whole, unit), float(count), "plain") for number, count in enumerate(counts)]
     return bars(rows, title)
+
+
+def _range(first: float, width: float, whole: bool, unit: str) -> str:
+    """The label of a range; its upper bound belongs to the next one."""
+    if not whole:
+        return f"{first:g} to below {first + width:g} {unit}".rstrip()
+    return f"{first:g} {unit}".rstrip() if width == 1 else f"{first:g} to {first + width - 1:g} {unit}".rstrip()
 
 
 def _step(least: float) -> float:

@@ -85,13 +85,13 @@ CALLS = Table(
     _column("path", Text, "file of the call"),
     _column("disposition", Text, "adapt, retain or unsupported after a migration; unknown if nothing declares it; else null"),
     _column("has_body", Boolean, "whether an adapter with a body replaces it on the target"),
-    comment="calls of the platform's functions, and of functions that nothing known declares",
+    comment="calls of the platform's functions, also through macros, and of functions that nothing known declares",
 )  # fmt: skip
 PINS = Table(
     "pins", TABLES, _program(),
     _column("pin", Integer, "number on the source; null if known only at run time"),
     _column("expression", Text, "argument as the program writes it"),
-    _column("origin", Text, "literal, constant, array, runtime or convention"),
+    _column("origin", Text, "literal, constant, array, register, runtime or convention"),
     _column("function", Text, "function that is called with it"),
     _column("direction", Text, "in, out, both or unknown"),
     _column("line", Integer, "line of the call"),
