@@ -40,11 +40,11 @@ def histogram(values: Sequence[float], unit: str, title: str) -> str:
     if not values:
         return ""
     most = max(values)
-    width = _step(most / 10) if most > 0 else 1.0
+    whole = all(value == int(value) for value in values)
+    width = _step(max(most / 10, 1.0 if whole else 0.0)) if most > 0 else 1.0
     counts = [0] * (int(most / width) + 1)
     for value in values:
         counts[int(value / width)] += 1
-    whole = all(value == int(value) for value in (*values, width))
     rows = [(_range(number * width, width, whole, unit), float(count), "plain") for number, count in enumerate(counts)]
     return bars(rows, title)
 

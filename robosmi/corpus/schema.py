@@ -39,7 +39,7 @@ PROGRAMS = Table(
     _column("step", Text, "step at which a program that is not done ended"),
     _column("message", Text, "why a program is not done"),
     _column("seconds", Float, "time of all steps"),
-    _column("peak_mb", Float, "most memory of its worker process in a step, in 2^20 bytes; null if the system does not tell"),
+    _column("peak_mb", Float, "most memory that a step added to its worker process, or its limit if that was too little, in MiB"),
     _column("settings", Text, "digest of the steps and options that it was run with"),
     _column("limits", Text, "limits that it was run with"),
     _column("tool", Text, "version of RoboSMi, its plug-ins and the user's own data"),
@@ -59,7 +59,7 @@ STEPS = Table(
     _column("name", Text, "analyse, migrate, compile or verify"),
     _column("state", Text, "as `programs.state`"),
     _column("seconds", Float, "its time"),
-    _column("peak_mb", Float, "most memory of the worker process in it"),
+    _column("peak_mb", Float, "most memory that it added to the worker process, as `programs.peak_mb`"),
     _column("message", Text, "why it is not done"),
     comment="the steps of a program that were begun",
 )  # fmt: skip

@@ -174,7 +174,7 @@ def test_ranges_of_a_chart_do_not_overlap() -> None:
         "0 to 1", "2 to 3", "4 to 5", "6 to 7", "8 to 9", "10 to 11", "12 to 13", "14 to 15", "16 to 17", "18 to 19",
     ]  # fmt: skip
     assert re.findall(r">(\d[^<]*) calls<title>", histogram([0, 2], "calls", "")) == ["0", "1", "2"]
-    assert "0 to below 0.1 s<" in histogram([0.05, 0.2], "s", "")
+    assert "0 to below 0.02 s<" in histogram([0.05, 0.2], "s", "")
 
 
 def test_messages_that_differ_in_names_and_numbers_are_one_cluster() -> None:
@@ -244,6 +244,7 @@ def test_a_run_from_python_gives_results_while_it_runs(tmp_path: Path) -> None:
     results = {result.id: result.state for result in made}
     assert results == {name: "done" for (name,) in rows(tmp_path / "out", "SELECT id FROM programs")}
     assert made.wait().done == len(made) == 4
+    assert made.summary.seconds > 0
     assert not made.running
     page = made._repr_html_()
     assert page.count("<tr>") == 5
@@ -256,6 +257,19 @@ def test_a_run_from_python_gives_results_while_it_runs(tmp_path: Path) -> None:
     (tmp_path / "out" / "corpus.sqlite").write_bytes(b"junk" * 100)
     with pytest.raises(SourceError):
         list(robosmi.corpus.run(spec, tmp_path / "out"))
+
+
+def test_a_run_from_python_that_is_stopped_has_ended_and_its_summary_counts_what_was_run(tmp_path: Path) -> None:
+    made = robosmi.corpus.run(copied(tmp_path), tmp_path / "out", jobs=1)
+    next(iter(made))
+    assert (made.summary.programs, made.summary.unchanged) == (4, 0)
+    assert 1 <= made.summary.done == made.summary.run <= 4
+    made.stop()
+    assert not made.running
+    assert made.summary.done == made.summary.run == len(made)
+    assert rows(tmp_path / "out", "SELECT count(*) FROM programs") == [(len(made),)]
+    again = robosmi.corpus.run(tmp_path / "corpus.toml", tmp_path / "out", jobs=1).wait()
+    assert (again.done, again.unchanged) == (4, len(made))
 
 
 def test_the_table_of_programs_as_a_data_frame(tmp_path: Path) -> None:

@@ -213,9 +213,8 @@ def _pins(seen: Sequence[CodeView], ports: ProgramPorts | None = None, places: M
         ports: where the flow of port numbers is known, it says which pins an argument may have that the text leaves open.
         places: stored path -> path as it was given.
     """
-    flows = {
-        id(a.argument): each for each in (ports.flows if ports else ()) for a in each.flow.arguments if a.argument is not None
-    }
+    through = ports.flows if ports is not None else []
+    flows = {id(a.argument): each for each in through for a in each.flow.arguments if a.argument is not None}
     masks = PortMasks(seen)
     for view in seen:
         path = str(view.unit.path)
@@ -288,7 +287,7 @@ _DISPOSITIONS = ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")
 
 
 def _calls_of(plan: migration.MigrationPlan, places: Mapping[str, str]) -> Iterator[Row]:
-    """The calls that adapters stand for, those that macros make where they are used, too; `places`: stored path -> path as it was given."""
+    """The calls that adapters stand for, also those that macros make; `places`: stored path -> path as it was given."""
     of_macros = MacroCalls(plan)
     for use in plan.adapterUses:
         status = use.status.name
