@@ -40,15 +40,20 @@ def histogram(values: Sequence[float], unit: str, title: str) -> str:
     if not values:
         return ""
     most = max(values)
-    width = _step(most / 10) if most > 0 else 1.0
+    whole = all(value == int(value) for value in values)
+    width = _step(max(most / 10, 1.0 if whole else 0.0)) if most > 0 else 1.0
     counts = [0] * (int(most / width) + 1)
     for value in values:
         counts[int(value / width)] += 1
-    rows = [
-        (f"{number * width:g} to {(number + 1) * width:g} {unit}".rstrip(), float(count), "plain")
-        for number, count in enumerate(counts)
-    ]
+    rows = [(_range(number * width, width, whole, unit), float(count), "plain") for number, count in enumerate(counts)]
     return bars(rows, title)
+
+
+def _range(first: float, width: float, whole: bool, unit: str) -> str:
+    """The label of a range; its upper bound belongs to the next one."""
+    if not whole:
+        return f"{first:g} to below {first + width:g} {unit}".rstrip()
+    return f"{first:g} {unit}".rstrip() if width == 1 else f"{first:g} to {first + width - 1:g} {unit}".rstrip()
 
 
 def _step(least: float) -> float:

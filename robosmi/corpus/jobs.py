@@ -93,7 +93,7 @@ class ProgramStep(Struct):
         name: the step.
         state: see `states.STATES`.
         seconds: its time.
-        peak_mb: the most memory of the worker in it; None if the system does not tell.
+        peak_mb: the most memory that it added to the worker; None if the system does not tell.
         message: why it is not done.
         rows: what goes into the tables.
     """
@@ -116,6 +116,7 @@ class ProgramResult(Struct):
         files: path -> digest of the files that it depends on.
         message: why it is not done.
         worker: where it was run, for a person.
+        other_version: whether it was not run because the worker has another version.
     """
 
     id: str
@@ -124,6 +125,7 @@ class ProgramResult(Struct):
     files: dict[str, str] = field(default_factory=dict)
     message: str | None = None
     worker: str = ""
+    other_version: bool = False
 
     @property
     def step(self) -> str | None:

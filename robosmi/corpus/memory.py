@@ -53,12 +53,22 @@ def reset_peak() -> None:
 
 
 def peak_mb() -> float | None:
-    """The most memory that this process has had since `reset_peak`; None if the system does not tell."""
+    """The most memory that this process has had since `reset_peak`, in 2^20 bytes; None if the system does not tell."""
     with suppress(OSError, ValueError):
         for line in inputs.read_text("/proc/self/status", inputs.SETTINGS).splitlines():
             if line.startswith("VmHWM:"):
-                return round(int(line.split()[1]) / 1024, 1)
+                return int(line.split()[1]) / 1024
     return None
+
+
+def growth_mb(before: float | None) -> float | None:
+    """The most memory that this process has had above what it had before, in 2^20 bytes.
+
+    Args:
+        before: `peak_mb` right after `reset_peak`.
+    """
+    now = peak_mb()
+    return None if now is None or before is None else round(max(0.0, now - before), 1)
 
 
 def limit_own(megabytes: int) -> None:

@@ -1,20 +1,17 @@
 """What to do next with a corpus: which missing bodies of functions would free most programs, and what stops programs.
 
-A greedy cover: the next function is that which brings most programs nearest to lacking none. Each program that calls it counts as
-one divided by the number of functions that it still lacks, so that the last function that a program lacks counts most. Equal
-functions are ordered by their calls.
+A greedy cover by sets: the next functions are all those that one more program lacks, namely the set that frees most programs for
+each function in it. Of equal sets the smaller comes first, then the one with more call sites.
 """
 
 from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
-_ONE = 10**12
-"""What a program counts for its last function; whole numbers, so that the order in which they are added does not matter."""
 Function = tuple[str, str | None]
 """Name, and the header that declares it, or None."""
 
@@ -26,16 +23,16 @@ class Missing(Struct, frozen=True):
         function: its name.
         header: the header that declares it; None if nothing known does, so that a fact is missing, too.
         calls: its call sites in all programs.
-        programs: programs that call it.
-        frees: programs that lack nothing more once it and all before it have a body.
-        freed: these of all chosen so far.
+        programs: number of programs that call it.
+        frees: the programs that lack nothing more once it and all before it have a body.
+        freed: the number of these for all chosen so far.
     """
 
     function: str
     header: str | None
     calls: int
     programs: int
-    frees: int
+    frees: Sequence[str]
     freed: int
 
 
@@ -46,30 +43,51 @@ def greedy_cover(lacks: Iterable[tuple[str, str, str | None, int]], most: int) -
         lacks: program, function, header and number of calls, for each function that lacks a body.
         most: number of functions that are chosen.
     """
-    left: dict[str, set[Function]] = defaultdict(set)
-    users: dict[Function, set[str]] = defaultdict(set)
+    lacked: dict[str, set[Function]] = defaultdict(set)
+    users: Counter[Function] = Counter()
     calls: Counter[Function] = Counter()
     for program, name, header, count in lacks:
         function = (name, header)
-        left[program].add(function)
-        users[function].add(program)
+        users[function] += function not in lacked[program]
+        lacked[program].add(function)
         calls[function] += count
-    scores = {function: sum(_ONE // len(left[program]) for program in who) for function, who in users.items()}
+    left: dict[frozenset[Function], list[str]] = defaultdict(list)
+    for program, functions in lacked.items():
+        left[frozenset(functions)].append(program)
     chosen: list[Missing] = []
     freed = 0
-    while scores and len(chosen) < most:
-        best = max(scores, key=lambda each: (scores[each], calls[each], each[0], each[1] or ""))
-        del scores[best]
-        frees = 0
-        for program in users[best]:
-            before = len(left[program])
-            left[program].discard(best)
-            frees += before == 1
-            for other in left[program]:
-                scores[other] += _ONE // (before - 1) - _ONE // before
-        freed += frees
-        chosen.append(Missing(*best, calls[best], len(users[best]), frees, freed))
-    return chosen
+    while left and len(chosen) < most:
+        best = _best(left, calls)
+        for function in sorted(best, key=lambda each: (-calls[each], each[0], each[1] or "")):
+            remaining: dict[frozenset[Function], list[str]] = defaultdict(list)
+            for functions, programs in left.items():
+                remaining[functions - {function}] += programs
+            frees = sorted(remaining.pop(frozenset(), ()))
+            left = remaining
+            freed += len(frees)
+            chosen.append(Missing(*function, calls[function], users[function], frees, freed))
+    return chosen[:most]
+
+
+def _best(left: dict[frozenset[Function], list[str]], calls: Counter[Function]) -> frozenset[Function]:
+    """The set of functions that frees most programs for each of its functions.
+
+    Args:
+        left: functions -> the programs that lack just these.
+        calls: call sites of each function.
+    """
+    shared = Counter(function for functions in left for function in functions)
+    with_rarest: dict[Function, list[frozenset[Function]]] = defaultdict(list)
+    for functions in left:  # a set lies within another only if its rarest function does
+        with_rarest[min(functions, key=lambda each: (shared[each], each[0], each[1] or ""))].append(functions)
+
+    def worth(functions: frozenset[Function]) -> tuple[float, int, int, list[tuple[str, str]]]:
+        within = (inner for function in functions for inner in with_rarest.get(function, ()) if inner <= functions)
+        frees = sum(len(left[inner]) for inner in within)
+        names = sorted((name, header or "") for name, header in functions)
+        return -frees / len(functions), len(functions), -sum(calls[each] for each in functions), names
+
+    return min(left, key=worth)
 
 
 _QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")

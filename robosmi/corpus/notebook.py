@@ -94,8 +94,9 @@ class BackgroundRun:
         return self._run.summary
 
     def stop(self) -> None:
-        """Stop after the next result; another run goes on from there."""
+        """Stop after the next result, and wait for it; another run goes on from there."""
         self._stop = True
+        self._thread.join()
 
     @property
     def running(self) -> bool:
@@ -104,7 +105,7 @@ class BackgroundRun:
 
     @property
     def summary(self) -> Summary:
-        """What was counted; complete at the end."""
+        """What is counted so far; programs that are still to run have no state yet."""
         return self._run.summary
 
     @property

@@ -22,6 +22,9 @@ from robosmi.errors import SourceError, did_you_mean
 from robosmi.files.files import read_input
 from robosmi.plugins import content
 
+SOURCES = "sources"
+"""The folder in OUT in which commits are laid out."""
+
 
 class ProgramSource(Struct, frozen=True):
     """A program of a corpus.
@@ -35,6 +38,7 @@ class ProgramSource(Struct, frozen=True):
         labels: its labels.
         missing: why it cannot be run; None if it can.
         origin: where it is named, for messages.
+        root: the folder in which the commit is laid out; None without one.
     """
 
     id: str
@@ -45,6 +49,7 @@ class ProgramSource(Struct, frozen=True):
     labels: dict[str, str] = {}
     missing: str | None = None
     origin: str = ""
+    root: str | None = None
 
 
 def program_sources(spec: Spec, out: Path) -> list[ProgramSource]:
@@ -77,15 +82,16 @@ def _of_place(place: ProgramPlace, spec: Spec, out: Path) -> Iterator[ProgramSou
         yield from _of_list(place, spec)
     elif place.git is not None:
         name = f"{place.prefix}{_shown(str(place.git), spec)}"
-        laid = checkout(place.git, place.revision, out / "sources")
+        laid = checkout(place.git, place.revision, out / SOURCES)
         if laid.missing is not None:
             yield ProgramSource(name, str(place.git), place, labels=place.labels, missing=laid.missing, origin=origin)
             return
         for path in _matches(laid.folder, place.glob, None):
             inner = path.relative_to(laid.folder).as_posix()
             yield ProgramSource(
-                f"{name}/{_text(inner)}", str(path), place, str(place.git.resolve()), laid.commit, place.labels, origin=origin
-            )
+                f"{name}/{_text(inner)}", str(path), place, str(place.git.resolve()), laid.commit, place.labels, origin=origin,
+                root=str(laid.folder),
+            )  # fmt: skip
     else:
         folder = Path(os.path.normpath(place.folder))
         if not folder.is_dir():

@@ -28,10 +28,17 @@ from robosmi.resources import built_in
 FILE = "index.html"
 _CHOSEN = 100
 _SHOWN = 12
+_NAMED = 5
+"""Programs that a row names; the others are folded."""
 _LACKING = (
     "SELECT calls.program, function, header, count(*) FROM calls JOIN programs ON programs.id = calls.program "
     "WHERE listed AND (has_body IS NULL OR NOT has_body) GROUP BY calls.program, function, header"
 )
+_STOPPED = (
+    "SELECT id FROM programs WHERE state NOT IN ('done', 'skipped') UNION SELECT program FROM compiles WHERE NOT ok OR NOT fits "
+    "UNION SELECT program FROM findings WHERE severity = 'error' AND NOT task"
+)
+"""The programs that something else than a missing body stops."""
 
 
 def write_report(store: Store, out: Path, folder: Path) -> Path:
@@ -62,7 +69,9 @@ def page(store: Store, out: Path, folder: Path) -> str:
         open_calls[program] += count
     data = _data(store, programs, plans, open_calls, os.path.relpath(out, folder))
     counts = {state: sum(row[1] == state for row in programs) for state in STATES}
-    chosen = greedy_cover(lacking, _CHOSEN)
+    stopped = {row[0] for row in store.query(_STOPPED).rows}
+    chosen = greedy_cover([row for row in lacking if row[0] not in stopped], _CHOSEN)
+    open_programs = {row[0] for row in lacking}
     return Gen(templates=_folder()).text(
         "index.html.j2",
         total=len(programs),
@@ -70,7 +79,9 @@ def page(store: Store, out: Path, folder: Path) -> str:
         states=bars([(state, float(counts[state]), state) for state in STATES], "programs by state"),
         chosen=chosen,
         best=bars([(each.function, float(each.calls), "plain") for each in chosen[:_SHOWN]], "call sites of missing bodies"),
-        lacking=len({row[0] for row in lacking}),
+        lacking=len(open_programs),
+        left_out=len(open_programs & stopped),
+        shown=_NAMED,
         stopped=clusters((row[0], row[1], row[2], row[3]) for row in programs if row[1] != "done"),
         rules=_rules(store),
         effort=histogram([float(open_calls.get(row[0], 0)) for row in programs], "calls", "calls without a body by program"),

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from msgspec import Struct
@@ -81,6 +82,32 @@ def checkout(repository: Path, revision: str, folder: Path) -> Checkout:
     except OSError as error:
         raise SourceError(f"the files of {repository} cannot be laid out: {error.strerror}", fix="check the disk") from error
     return Checkout(made, commit)
+
+
+_LAID = re.compile(r"-[0-9a-f]{12}-[0-9a-f]{12}")
+
+
+def repository_of(folder: str) -> str:
+    """What the names of all folders of a repository's commits begin with.
+
+    Args:
+        folder: a folder that `checkout` has made, or its name.
+    """
+    return os.path.basename(folder).rpartition("-")[0]
+
+
+def remove_unused(folder: Path, used: Iterable[str]) -> None:
+    """Remove the commits that no program is of any more.
+
+    Args:
+        folder: where commits are laid out.
+        used: paths of programs.
+    """
+    inside = str(folder) + os.sep
+    names = {path.removeprefix(inside).partition(os.sep)[0] for path in used if path.startswith(inside)}
+    for laid in folder.iterdir() if folder.is_dir() else ():
+        if laid.name not in names and _LAID.search(laid.name) and not laid.is_symlink():
+            shutil.rmtree(laid, ignore_errors=True)
 
 
 class _Damaged(Exception):

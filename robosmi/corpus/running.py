@@ -20,7 +20,8 @@ from robosmi.base.quantities import quantity
 from robosmi.corpus.digests import Digests, digest_of_files, digest_of_text, tool_version
 from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramWork
 from robosmi.corpus.output_folders import end_with
-from robosmi.corpus.programs import ProgramSource, program_sources
+from robosmi.corpus.programs import SOURCES, ProgramSource, program_sources
+from robosmi.corpus.repositories import remove_unused, repository_of
 from robosmi.corpus.spec import Spec
 from robosmi.corpus.states import DONE, FAILED, FAILURES, SKIPPED, STATES, TIMEOUT, TOO_LARGE
 from robosmi.corpus.store import FILE, Store, StoredResult
@@ -135,6 +136,8 @@ class CorpusRun:
         self.findings: list[Finding] = []
         self._tool = tool_version()
         self._skipped_reported = 0
+        self.other_version = False
+        """Whether programs were not run because a worker has another version."""
         self.progress = RunProgress(0, 0, 0, 0.0)
 
     def results(self, backend: Backend) -> Generator[ProgramResult, None, None]:
@@ -167,11 +170,16 @@ class CorpusRun:
         for source in sources:
             if source.missing is not None:
                 self._missing(source, store)
-            elif not self._unchanged(source, known.get(source.id), digests):
+            elif not self._unchanged(source, known.get(source.id), digests, store):
                 waiting[source.id] = source
         self.summary.programs = len(sources)
         self.summary.unchanged = sum(source.missing is None for source in sources) - len(waiting)
         self.summary.no_longer_listed = len(known.keys() - {source.id for source in sources})
+        for source in sources:
+            if source.missing is not None:
+                self._count(SKIPPED)
+            elif source.id not in waiting:
+                self._count(known[source.id].state)
         del known, digests
         progress = self.progress = RunProgress(len(waiting), 0, 0, 0.0)
         if not waiting:
@@ -181,14 +189,22 @@ class CorpusRun:
             for result in results:
                 source = waiting.pop(result.id)
                 end_with(self._output(source), new=store.record(result, self._facts(source, result)))
+                self._count(result.state)
                 if result.state == SKIPPED:
                     self._report_skipped(result)
+                    self.other_version |= result.other_version
                 self.summary.run += bool(result.steps)
                 progress.ended += 1
                 progress.failed += result.state in FAILURES
                 progress.seconds = time.monotonic() - started
+                self.summary.seconds = round(progress.seconds, 3)
                 self._told(progress)
                 yield result
+
+    def _count(self, state: str) -> None:
+        """Count a program by its state, while the run goes on."""
+        name = state.replace("-", "_")
+        setattr(self.summary, name, getattr(self.summary, name) + 1)
 
     def _missing(self, source: ProgramSource, store: Store) -> None:
         """Count a program that is not there. What an earlier run has found out about it stays."""
@@ -202,14 +218,18 @@ class CorpusRun:
         return json_written({
             "steps": list(self.options.steps), "include_dirs": list(place.include_dirs), "defines": list(place.defines),
             "migrate": place.migrate, "defaults": self.spec.migrate, "keep_models": self.options.keep_models,
-            "path": source.path, "revision": source.revision,
+            "path": source.path if source.root is None else os.path.relpath(source.path, source.root),
+            "revision": source.revision if source.root is None else None,
         }, sort_keys=True)  # fmt: skip
 
     def _limits(self) -> str:
         return json_written(msgspec.to_builtins(self.spec.limits), sort_keys=True)
 
-    def _unchanged(self, source: ProgramSource, known: StoredResult | None, digests: Digests) -> bool:
-        """Whether the stored result of a program is what another run would find out."""
+    def _unchanged(self, source: ProgramSource, known: StoredResult | None, digests: Digests, store: Store) -> bool:
+        """Whether the stored result of a program is what another run would find out.
+
+        That of an earlier commit whose files are the same becomes that of the commit.
+        """
         if known is None or known.state == SKIPPED or known.state in self.options.retry:
             return False
         if known.tool != self._tool or known.settings != digest_of_text(self._settings(source)):
@@ -218,7 +238,25 @@ class CorpusRun:
             return False
         if not known.files:
             return False
-        return known.digest == digest_of_files({path: digests.of(path) for path in known.files})
+        before = self._earlier_root(source, known)
+        if before is None:
+            return known.digest == digest_of_files({path: digests.of(path) for path in known.files})
+        assert source.root is not None
+        now = {source.root + path.removeprefix(before) if _lies_in(path, before) else path: path for path in known.files}
+        if any(digests.of(path) != known.files[old] for path, old in now.items()):
+            return False
+        digest = digest_of_files({path: known.files[old] for path, old in now.items()})
+        store.move_program(source.id, before, source.root, source.revision, digest)
+        return True
+
+    def _earlier_root(self, source: ProgramSource, known: StoredResult) -> str | None:
+        """The folder of another commit of the program's repository that a stored result was made from; None for no such."""
+        if source.root is None:
+            return None
+        mine, inside = repository_of(source.root), str(self.out / SOURCES) + os.sep
+        names = {path.removeprefix(inside).partition(os.sep)[0] for path in known.files if path.startswith(inside)}
+        roots = {inside + name for name in names if repository_of(name) == mine} - {source.root}
+        return min(roots, default=None)
 
     def _job(self, source: ProgramSource) -> ProgramJob:
         place = source.place
@@ -264,6 +302,8 @@ class CorpusRun:
         counts = store.counts()
         summary.done, summary.failed, summary.timeout = counts.get(DONE, 0), counts.get(FAILED, 0), counts.get(TIMEOUT, 0)
         summary.too_large, summary.skipped = counts.get(TOO_LARGE, 0), counts.get(SKIPPED, 0)
+        used = [row[0] for row in store.query("SELECT path FROM programs WHERE listed").rows]
+        remove_unused(self.out / SOURCES, used)
         failures = ", ".join(f"'{state}'" for state in FAILURES)
         sql = f"SELECT id, path, state, step, message FROM programs WHERE listed AND state IN ({failures}) ORDER BY id"
         for name, path, state, step, message in store.query(f"{sql} LIMIT {SHOWN}").rows:
@@ -291,6 +331,10 @@ def folder_name(program: str) -> str:
     """The name of a program's folder: readable, and different for different programs."""
     plain = re.sub(r"[^A-Za-z0-9.-]+", "_", program).strip("._")[-60:]
     return f"{plain}-{hashlib.sha256(program.encode(errors='surrogateescape')).hexdigest()[:10]}"
+
+
+def _lies_in(path: str, folder: str) -> bool:
+    return path == folder or path.startswith(folder + os.sep)
 
 
 def _text(path: str) -> str:

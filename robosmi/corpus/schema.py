@@ -39,7 +39,7 @@ PROGRAMS = Table(
     _column("step", Text, "step at which a program that is not done ended"),
     _column("message", Text, "why a program is not done"),
     _column("seconds", Float, "time of all steps"),
-    _column("peak_mb", Float, "most memory of its worker process in a step, in 2^20 bytes; null if the system does not tell"),
+    _column("peak_mb", Float, "most memory that a step added to its worker process, or its limit if that was too little, in MiB"),
     _column("settings", Text, "digest of the steps and options that it was run with"),
     _column("limits", Text, "limits that it was run with"),
     _column("tool", Text, "version of RoboSMi, its plug-ins and the user's own data"),
@@ -59,7 +59,7 @@ STEPS = Table(
     _column("name", Text, "analyse, migrate, compile or verify"),
     _column("state", Text, "as `programs.state`"),
     _column("seconds", Float, "its time"),
-    _column("peak_mb", Float, "most memory of the worker process in it"),
+    _column("peak_mb", Float, "most memory that it added to the worker process, as `programs.peak_mb`"),
     _column("message", Text, "why it is not done"),
     comment="the steps of a program that were begun",
 )  # fmt: skip
@@ -89,13 +89,13 @@ CALLS = Table(
         "whether an adapter with a body replaces it on the target; null before a migration if no adapter of the function is "
         "known, as for a sketch",
     ),
-    comment="calls of the platform's functions, and of functions that nothing known declares",
+    comment="calls of the platform's functions, also through macros, and of functions that nothing known declares",
 )  # fmt: skip
 PINS = Table(
     "pins", TABLES, _program(),
     _column("pin", Integer, "number on the source; null if known only at run time"),
     _column("expression", Text, "argument as the program writes it"),
-    _column("origin", Text, "literal, constant, array, runtime or convention"),
+    _column("origin", Text, "literal, constant, array, register, runtime or convention"),
     _column("function", Text, "function that is called with it"),
     _column("direction", Text, "in, out, both or unknown"),
     _column("line", Integer, "line of the call"),

@@ -6,6 +6,7 @@ committed survives a killed process, and readers do not wait. Questions of users
 
 from __future__ import annotations
 
+import os
 import sqlite3
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -23,7 +24,7 @@ import robosmi
 from robosmi.base.data_text import json_written
 from robosmi.corpus.digests import digest_of_files
 from robosmi.corpus.jobs import ProgramResult
-from robosmi.corpus.schema import CORPUS, DETAILS, FILES, PROGRAMS, STEPS, TABLES, VERSION
+from robosmi.corpus.schema import CALLS, CORPUS, DETAILS, FILES, FINDINGS, PINS, PROGRAMS, STEPS, TABLES, VERSION
 from robosmi.corpus.states import DONE, SKIPPED
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError, UsageError
@@ -218,6 +219,23 @@ class Store:
             for table, rows in result.rows().items():
                 self._add(db, table, result.id, rows)
         return True
+
+    def move_program(self, program: str, before: str, after: str, revision: str | None, digest: str) -> None:
+        """Note that the files of a program now lie in another folder, and are the same.
+
+        Args:
+            program: its id.
+            before, after: the folders.
+            revision: the commit there.
+            digest: that of the files with their paths.
+        """
+        with self._faults(), self._engine.begin() as db:
+            for table in (PROGRAMS, FILES, FINDINGS, CALLS, PINS):
+                mine = table.c.id if table is PROGRAMS else table.c.program
+                columns = [column for column in (table.c.path, table.c.get("message")) if column is not None]
+                moved = {column.name: func.replace(column, before + os.sep, after + os.sep) for column in columns}
+                db.execute(update(table).where(mine == program).values(**moved))
+            db.execute(update(PROGRAMS).where(PROGRAMS.c.id == program).values(revision=revision, digest=digest))
 
     @staticmethod
     def _remove(db: Connection, program: str) -> None:

@@ -16,10 +16,12 @@ from __future__ import annotations
 import errno
 import gc
 import os
+import shutil
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from queue import SimpleQueue
 from typing import Any, BinaryIO
 
@@ -31,9 +33,12 @@ from robosmi.corpus.jobs import OutsideError, ProgramJob, ProgramStep, Row
 from robosmi.corpus.output_folders import begin_with
 from robosmi.corpus.states import DONE, FAILED, SKIPPED, TOO_LARGE
 from robosmi.errors import MissingToolError, RobosmiError, TooLargeError
+from robosmi.files import run_lock
 from robosmi.inputs import InputRejectedError
 from robosmi.plugins import content
 
+RECORDS = ".runs"
+"""The folder in a program's output folder for locks and records, which are for one program at a time and go with it."""
 Send = Callable[[dict[str, Any]], None]
 _COLLECT = 100
 """Programs after which all garbage is looked for; to look after each takes as long as half an analysis."""
@@ -103,9 +108,23 @@ def run_program(job: ProgramJob, send: Send) -> None:
     except Exception:  # the steps will say what is wrong with the program
         files = {work.path: digest_of(work.path)}
     send({"files": files})
+    if work.output:
+        records = Path(work.output) / RECORDS
+        with run_lock.records_in(records):
+            _run_steps(job, send)
+        shutil.rmtree(records, ignore_errors=True)
+    else:
+        _run_steps(job, send)
+    work.results.clear()
+    send({"end": True})
+
+
+def _run_steps(job: ProgramJob, send: Send) -> None:
+    work = job.work
     for step in job.steps:
         send({"begin": step})
         memory.reset_peak()
+        before = memory.peak_mb()
         memory.limit_own(job.limits.of(step).megabytes)
         done = ProgramStep(step)
         started = time.perf_counter()
@@ -117,12 +136,10 @@ def run_program(job: ProgramJob, send: Send) -> None:
             done.state, done.message = TOO_LARGE, f"it needs more than {job.limits.of(step).megabytes} MB"
         except (Exception, SystemExit) as error:
             done.state, done.message = state_of(error), message_of(error)
-        done.seconds, done.peak_mb = time.perf_counter() - started, memory.peak_mb()
+        done.seconds, done.peak_mb = time.perf_counter() - started, memory.growth_mb(before)
         send({"step": msgspec.to_builtins(_storable(done))})
         if done.state != DONE:
             break
-    work.results.clear()
-    send({"end": True})
 
 
 def _storable(done: ProgramStep) -> ProgramStep:

@@ -128,7 +128,7 @@ class WorkerProcess:
         self.start()
         if job.tool and self.tool != job.tool:
             said = f"the worker has RoboSMi {self.tool}, and the run {job.tool}: install the same version and data everywhere"
-            return ProgramResult(job.work.id, SKIPPED, message=said)
+            return ProgramResult(job.work.id, SKIPPED, message=said, other_version=True)
         result = ProgramResult(job.work.id, worker=f"{os.uname().nodename if hasattr(os, 'uname') else ''}")
         if not self._send(job):
             self.kill()

@@ -253,13 +253,28 @@ def _place(key: str, ending: str) -> Path:
     return _state() / f"{hashlib.sha256(os.fsencode(key)).hexdigest()}.{ending}"
 
 
+_elsewhere: Path | None = None
+"""See `records_in`."""
+
+
+@contextmanager
+def records_in(folder: Path) -> Iterator[None]:
+    """Context manager: this process keeps its locks and records in a folder, of which later runs know nothing."""
+    global _elsewhere
+    _elsewhere = folder
+    try:
+        yield
+    finally:
+        _elsewhere = None
+
+
 def _state() -> Path:
     """The folder of locks and records: among the user's data, or, for a user who has no place, in the temporary folder.
 
     Raises:
         SourceError: there is neither.
     """
-    folder = resources.user_data() / "runs"
+    folder = _elsewhere or resources.user_data() / "runs"
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if os.access(folder, os.W_OK):

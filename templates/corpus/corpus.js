@@ -6,7 +6,9 @@
   const $ = (id) => document.getElementById(id);
   const make = (tag, text) => { const made = document.createElement(tag); if (text !== undefined) made.textContent = text; return made; };
   const shown = (value, digits) => value === null || value === undefined ? "" : typeof value === "number" && digits !== undefined ? value.toFixed(digits) : String(value);
-  const order = (a, b) => a === b ? 0 : a === null ? 1 : b === null ? -1 : typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b), "en", { numeric: true });
+  const empty = (value) => value === null || value === undefined || value === "";
+  const order = (a, b, down) => empty(a) || empty(b) ? empty(a) - empty(b) : (down ? -1 : 1) * compared(a, b);
+  const compared = (a, b) => a === b ? 0 : typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b), "en", { numeric: true });
 
   // Each program's text is made when a filter first asks for it.
   const texts = new Map();
@@ -44,7 +46,7 @@
   const select = () => {
     const words = $("words").value.toLowerCase().split(/\s+/).filter(Boolean), state = $("state").value;
     found = programs.filter((row) => (!state || row[1] === state) && (!words.length || words.every((word) => textOf(row).includes(word))));
-    found.sort((a, b) => (down ? -1 : 1) * order(a[key], b[key]));
+    found.sort((a, b) => order(a[key], b[key], down));
     at = 0;
     show();
   };
@@ -79,7 +81,7 @@
     [...row.cells].forEach((cell, column) => withButton(cell, () => {
       const descending = cell.getAttribute("aria-sort") === "ascending";
       const value = (line) => { const text = line.cells[column].textContent; return text !== "" && !isNaN(text) ? Number(text) : text; };
-      const lines = [...table.tBodies[0].rows].sort((a, b) => (descending ? -1 : 1) * order(value(a), value(b)));
+      const lines = [...table.tBodies[0].rows].sort((a, b) => order(value(a), value(b), descending));
       table.tBodies[0].append(...lines);
       sorted(row, cell, descending);
     }));
@@ -100,8 +102,8 @@
     place.hidden = row === undefined;
     if (row === undefined) return;
     const more = row[7], parts = [make("h2", row[0])];
-    const facts = [["State", row[1] + (more.s ? ` at the step ${more.s}` : "")], ["Why", more.m], ["File", more.p], ["Seconds", shown(row[2], 2)], ["Memory (MB)", shown(row[3], 0)], ["Tasks", row[5]], ["Open choices", row[6]], ...Object.entries(more.l)];
-    if (more.k) facts.push(["Compiles", `${more.k[0] ? "yes" : "no"}${more.k[2] !== null ? `, ${more.k[2]} bytes of flash, ${more.k[3]} bytes of RAM` : ""} (${more.k[4]})`]);
+    const facts = [["State", row[1] + (more.s ? ` at the step ${more.s}` : "")], ["Why", more.m], ["File", more.p], ["Seconds", shown(row[2], 2)], ["Added memory (MB)", shown(row[3], 0)], ["Tasks", row[5]], ["Open choices", row[6]], ...Object.entries(more.l)];
+    if (more.k) facts.push(["Compiles", `${more.k[0] ? more.k[1] === 0 || more.k[1] === false ? "yes, does not fit" : "yes" : "no"}${more.k[2] !== null ? `, ${more.k[2]} bytes of flash, ${more.k[3]} bytes of RAM` : ""} (${more.k[4]})`]);
     if (more.v) facts.push(["Verdict", `${more.v[0]}${more.v[1] !== null ? `, ${more.v[1]} of ${more.v[2]} outputs compared` : ""}`]);
     parts.push(...tableOf("Result", ["", ""], facts.filter((fact) => fact[1] !== null && fact[1] !== undefined && fact[1] !== "")));
     if (more.r) { const line = make("p"), link = make("a", "Report of the migration"); link.href = more.r; line.append(link); parts.push(line); }

@@ -52,15 +52,24 @@ def cluster(folder: Path, workers: int = 2, **variables: str) -> Iterator[tuple[
     with ExitStack() as stack:
         scheduler = stack.enter_context(started("distributed.cli.dask_scheduler", *flags))
         place = address(scheduler, r"Scheduler at:\s+(tcp://\S+)")
-        opened = [
-            stack.enter_context(started(
-                "distributed.cli.dask_worker", place, "--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory",
-                str(folder / f"worker{number}"), **variables,
-            )) for number in range(workers)
-        ]  # fmt: skip
+        opened = [stack.enter_context(started(*_worker(place, folder / f"worker{n}"), **variables)) for n in range(workers)]
         for each in opened:
             address(each, r"Registered to")
         yield place, opened, scheduler
+
+
+def _worker(place: str, folder: Path) -> list[str]:
+    """The words that start a worker."""
+    flags = ["--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory", str(folder)]
+    return ["distributed.cli.dask_worker", place, *flags]
+
+
+@contextmanager
+def other_worker(folder: Path, place: str) -> Iterator[None]:
+    """A further worker of a cluster, without the plug-in."""
+    with started(*_worker(place, folder / "other"), PYTHONPATH="") as process:
+        address(process, r"Registered to")
+        yield
 
 
 def finished(begun: subprocess.Popen[str]) -> tuple[int, Any]:

@@ -10,7 +10,7 @@ import pytest
 from robosmi.corpus.cluster import run_on_cluster
 from robosmi.corpus.schema import TABLES, VERDICTS
 from robosmi.errors import SourceError
-from tests.corpus_runs.clusters import cluster, finished, run_with_a_lost_worker, until_lines
+from tests.corpus_runs.clusters import cluster, finished, other_worker, run_with_a_lost_worker, until_lines
 from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty
 from tests.tools import require_tools
 
@@ -28,13 +28,14 @@ def test_a_worker_that_dies_loses_nothing(tmp_path: Path) -> None:
 
 def test_workers_with_other_plug_ins_run_nothing(tmp_path: Path) -> None:
     with cluster(tmp_path, workers=1) as (place, _, _):
-        done = subprocess.run(
-            command("run", copied(tmp_path), "-o", tmp_path / "out", "--scheduler", place),
-            capture_output=True, text=True, check=False,
-        )  # fmt: skip
-    assert done.returncode == 3, "its workers have the plug-in, and the run has not"
-    assert "no worker has" in done.stderr
-    assert rows(tmp_path / "out", "SELECT count(*) FROM programs") == [(0,)]
+        words = command("run", copied(tmp_path), "-o", tmp_path / "out", "--scheduler", place)
+        done = subprocess.run(words, capture_output=True, text=True, check=False)
+        assert done.returncode == 3, "its workers have the plug-in, and the run has not"
+        assert "no worker has" in done.stderr
+        assert rows(tmp_path / "out", "SELECT count(*) FROM programs") == [(0,)]
+        with other_worker(tmp_path, place):
+            assert subprocess.run(words, stdout=subprocess.DEVNULL, check=False).returncode == 0
+    assert rows(tmp_path / "out", "SELECT state, count(*) FROM programs GROUP BY state") == [("done", 4)]
 
 
 MEASURED = ("seconds", "peak_mb", "finished")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.corpus.charts import histogram
 from robosmi.corpus.next_steps import clusters, greedy_cover, kind_of_message
 from robosmi.corpus.schema import TABLES
 from robosmi.errors import SourceError
@@ -134,10 +136,47 @@ def test_the_cover_takes_first_what_frees_most_programs() -> None:
     ]  # fmt: skip
     chosen = greedy_cover(lacks, 10)
     assert [(each.function, each.programs, each.calls, each.frees, each.freed) for each in chosen] == [
-        ("z", 3, 11, 2, 2), ("y", 2, 18, 1, 3), ("x", 2, 2, 2, 5),
+        ("z", 3, 11, ["d", "e"], 2), ("y", 2, 18, ["c"], 3), ("x", 2, 2, ["a", "b"], 5),
     ]  # fmt: skip
     assert len(greedy_cover(lacks, 1)) == 1
     assert greedy_cover([], 5) == []
+
+
+def test_the_cover_takes_two_functions_that_free_more_together_before_one_alone() -> None:
+    pairs = [(program, function, "h", 1) for program in "pqrs" for function in ("left", "right")]
+    chosen = greedy_cover([("alone", "often", "h", 50), *pairs], 3)
+    assert [(each.function, each.frees, each.freed) for each in chosen] == [
+        ("left", [], 0), ("right", ["p", "q", "r", "s"], 4), ("often", ["alone"], 5),
+    ]  # fmt: skip
+
+
+def test_the_page_names_the_programs_that_bodies_free_and_leaves_out_those_that_they_do_not(out: Path, tmp_path: Path) -> None:
+    link = '<a href="#program=programs/sub/badge.c">'
+
+    def advice(corpus: Path, folder: Path) -> str:
+        run("corpus", "report", corpus, "-o", folder)
+        return (folder / "index.html").read_text(encoding="utf-8").partition('id="next"')[2].partition('id="stops"')[0]
+
+    assert link in advice(out, tmp_path / "page")
+    stops = (
+        "UPDATE programs SET state = 'failed' WHERE id = 'programs/sub/badge.c'",
+        "INSERT INTO compiles (program, ok, fits) VALUES ('programs/sub/badge.c', 1, 0)",
+        "INSERT INTO findings (program, severity, task) VALUES ('programs/sub/badge.c', 'error', 0)",
+    )
+    for number, stop in enumerate(stops):
+        other = changed(out, tmp_path / f"other{number}", sql(stop))
+        text = advice(other, tmp_path / f"page{number}")
+        assert "without a body for the target: 1." in text
+        assert "so that bodies do not free them: 1." in text
+        assert link not in text
+
+
+def test_ranges_of_a_chart_do_not_overlap() -> None:
+    assert re.findall(r">(\d[^<]*) calls<title>", histogram([0, 3, 19], "calls", "")) == [
+        "0 to 1", "2 to 3", "4 to 5", "6 to 7", "8 to 9", "10 to 11", "12 to 13", "14 to 15", "16 to 17", "18 to 19",
+    ]  # fmt: skip
+    assert re.findall(r">(\d[^<]*) calls<title>", histogram([0, 2], "calls", "")) == ["0", "1", "2"]
+    assert "0 to below 0.02 s<" in histogram([0.05, 0.2], "s", "")
 
 
 def test_messages_that_differ_in_names_and_numbers_are_one_cluster() -> None:
@@ -174,7 +213,8 @@ def test_the_page_sorts_filters_and_shows_a_program_in_a_browser(out: Path, tmp_
 
     from tests.page.browsers import chromium
 
-    run("corpus", "report", out, "-o", tmp_path / "page")
+    too_large = "INSERT INTO compiles (program, ok, fits, target) VALUES ('programs/sub/badge.c', 1, 0, 'uno')"
+    run("corpus", "report", changed(out, tmp_path / "other", sql(too_large)), "-o", tmp_path / "page")
     with chromium() as driver:
         driver.get((tmp_path / "page" / "index.html").as_uri())
 
@@ -188,8 +228,13 @@ def test_the_page_sorts_filters_and_shows_a_program_in_a_browser(out: Path, tmp_
         driver.find_element(By.ID, "words").send_keys(" ")
         driver.find_element(By.CSS_SELECTOR, "#table th[data-key='4'] button").click()
         assert shown()[0] == "programs/sub/badge.c"
-        driver.find_element(By.LINK_TEXT, "programs/sub/badge.c").click()
+        for first in ("programs/sub/badge.c", "programs/blink.c"):  # most tasks, then fewest
+            driver.find_element(By.CSS_SELECTOR, "#table th[data-key='5'] button").click()
+            assert shown()[0] == first
+            assert shown()[-1] == "programs/sub/no_main.c", "it has no number of tasks"
+        driver.find_element(By.CSS_SELECTOR, "#table tbody a[href$='badge.c']").click()
         assert "launch_rocket" in driver.find_element(By.ID, "section").text
+        assert "yes, does not fit" in driver.find_element(By.ID, "section").text
         assert driver.get_log("browser") == []
 
 
@@ -201,6 +246,7 @@ def test_a_run_from_python_gives_results_while_it_runs(tmp_path: Path) -> None:
     results = {result.id: result.state for result in made}
     assert results == {name: "done" for (name,) in rows(tmp_path / "out", "SELECT id FROM programs")}
     assert made.wait().done == len(made) == 4
+    assert made.summary.seconds > 0
     assert not made.running
     page = made._repr_html_()
     assert page.count("<tr>") == 5
@@ -213,6 +259,19 @@ def test_a_run_from_python_gives_results_while_it_runs(tmp_path: Path) -> None:
     (tmp_path / "out" / "corpus.sqlite").write_bytes(b"junk" * 100)
     with pytest.raises(SourceError):
         list(robosmi.corpus.run(spec, tmp_path / "out"))
+
+
+def test_a_run_from_python_that_is_stopped_has_ended_and_its_summary_counts_what_was_run(tmp_path: Path) -> None:
+    made = robosmi.corpus.run(copied(tmp_path), tmp_path / "out", jobs=1)
+    next(iter(made))
+    assert (made.summary.programs, made.summary.unchanged) == (4, 0)
+    assert 1 <= made.summary.done == made.summary.run <= 4
+    made.stop()
+    assert not made.running
+    assert made.summary.done == made.summary.run == len(made)
+    assert rows(tmp_path / "out", "SELECT count(*) FROM programs") == [(len(made),)]
+    again = robosmi.corpus.run(tmp_path / "corpus.toml", tmp_path / "out", jobs=1).wait()
+    assert (again.done, again.unchanged) == (4, len(made))
 
 
 def test_the_table_of_programs_as_a_data_frame(tmp_path: Path) -> None:

@@ -27,10 +27,18 @@ from robosmi.project import FILE_NAME, Project, default_text, defaults, load_pro
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.adapters import list_adapters
 from robosmi.transformations.chains.analyse import analyse
-from robosmi.transformations.chains.migrate import migrate
+from robosmi.transformations.chains.migrate import migrate, migration_chain
+from robosmi.transformations.chains.stages.ports import ports as program_ports
+from robosmi.transformations.chains.stages.program import ProgramFiles, StoredProgram, program_files
 from robosmi.transformations.chains.stages.reading import platform_of_files
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, pin_uses_of
 from robosmi.transformations.queries.plans.plan import header_name
-from robosmi.transformations.t2m.c_source.parsing.sources import source_files
+from robosmi.transformations.queries.ports.macro_calls import MacroCalls
+from robosmi.transformations.queries.ports.port_masks import PortMasks
+from robosmi.transformations.queries.ports.ports import ProgramPorts
+from robosmi.transformations.queries.ports.register_bits import register_bits
 from robosmi.transformations.t2m.c_source.side_file import ENDING as SIDE, adjacent_project, read_side
 
 MIGRATION = "migration"
@@ -136,12 +144,13 @@ def _settings(work: ProgramWork, project: Project) -> dict[str, str]:
     return {**work.defaults, **{key: value for key, value in beside.items() if value is not None}, **work.migrate}
 
 
-def _sources(work: ProgramWork) -> list[Path]:
-    """The source files of the program; those of a folder without its headers."""
-    path = Path(work.path)
-    if not path.is_dir():
-        return [path]
-    return [Path(file.path) for file in source_files([path], work.include_dirs, work.defines)]
+def _sources(work: ProgramWork, api: ApiIndex) -> ProgramFiles:
+    """The files of the program, as a migration reads them: those of its project file and its own headers, too.
+
+    Raises:
+        RobosmiError: they cannot be found.
+    """
+    return program_files([work.path], [Path(each) for each in work.include_dirs], work.defines, api)
 
 
 def _output(work: ProgramWork) -> Path:
@@ -164,22 +173,30 @@ def analyse_step(work: ProgramWork) -> Rows:
     Raises:
         RobosmiError: it cannot be read.
     """
-    settings, paths = _settings(work, load_project(work.folder)), _sources(work)
-    sketch = paths[0].suffix.lower() in _SKETCH
+    settings = _settings(work, load_project(work.folder))
+    platform = settings.get("source_platform") or platform_of_files([Path(work.path)])
+    api = ApiIndex.load(platform)
+    sources = _sources(work, api)
+    sketch = sources.paths[0].suffix.lower() in _SKETCH
     found = analyse(
-        paths, source_platform=settings.get("source_platform"), include_dirs=[Path(each) for each in work.include_dirs],
-        defines=work.defines, source_board=settings.get("from"), target=settings.get("target") if sketch else None,
+        sources.paths, source_platform=platform, include_dirs=sources.include_dirs, defines=sources.defines,
+        source_board=settings.get("from"), target=settings.get("target") if sketch else None,
     )  # fmt: skip
-    rows: dict[str, list[Row]] = {"findings": [_finding("analyse", each) for each in found.findings], "calls": [], "pins": []}
-    platform = settings.get("source_platform") or platform_of_files(paths)
+    rows: dict[str, list[Row]] = {
+        "findings": [_finding("analyse", each) for each in (*sources.findings, *found.findings)], "calls": [],
+    }  # fmt: skip
     bodies = {} if sketch else _bodies(settings.get("target"), platform)
-    for unit in found.result["units"]:
-        for call in unit["platform_calls"]:
-            body = bodies.get((call["name"], call["header"]))
-            rows["calls"] += [_call(call["name"], call["header"], line, unit["path"], None, body) for line in call["lines"]]
-        for call in unit["unknown_calls"]:
-            rows["calls"] += [_call(call["name"], None, line, unit["path"], "unknown", False) for line in call["lines"]]
-        rows["pins"] += [{**_pin(use), "path": unit["path"]} for use in unit["pin_uses"]]
+    seen = views(found.program, api)
+    for view in seen:
+        path = str(view.unit.path)
+        for function in view.functions_of("platform"):
+            body = bodies.get((function.name, function.header))
+            calls = [*function.calls, *function.made]
+            rows["calls"] += [_call(function.name, function.header, int(call.line), path, None, body) for call in calls]
+        for function in view.unknown():
+            calls = [*function.calls, *function.made]
+            rows["calls"] += [_call(function.name, None, int(call.line), path, "unknown", False) for call in calls]
+    rows["pins"] = list(_pins(seen))
     if work.keep_models:
         place = _output(work) / "analysis" / "code.xmi"
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -205,8 +222,32 @@ def _call(name: str, header: str | None, line: int, path: str, disposition: str 
     }  # fmt: skip
 
 
-def _pin(use: Mapping[str, Any]) -> Row:
-    return {key: use[key] for key in ("pin", "expression", "origin", "function", "direction", "line")}
+def _pins(seen: Sequence[CodeView], ports: ProgramPorts | None = None, places: Mapping[str, str] | None = None) -> Iterator[Row]:
+    """The pins that a program uses, calls that its macros make and bits of registers included.
+
+    Args:
+        seen: a view of each unit.
+        ports: where the flow of port numbers is known, it says which pins an argument may have that the text leaves open.
+        places: stored path -> path as it was given.
+    """
+    through = ports.flows if ports is not None else []
+    flows = {id(a.argument): each for each in through for a in each.flow.arguments if a.argument is not None}
+    masks = PortMasks(seen)
+    for view in seen:
+        path = str(view.unit.path)
+        path = (places or {}).get(path, path)
+        for use in [*pin_uses_of(view, seen), *macro_pin_uses(view), *register_bits(view, masks)]:
+            numbers: list[int | None] = [use.pin]
+            if use.pin is None and (flow := flows.get(id(use.argument))) is not None:
+                numbers = [*flow.numbers, *([None] if flow.anything or not flow.numbers else [])]
+            yield from (_pin(use, number, path) for number in numbers)
+
+
+def _pin(use: PinUse, pin: int | None, path: str) -> Row:
+    return {
+        "pin": pin, "expression": use.expression, "origin": use.origin, "function": use.function, "direction": use.direction,
+        "line": use.line, "path": path,
+    }  # fmt: skip
 
 
 def _finding(step: str, finding: Finding) -> Row:
@@ -230,13 +271,22 @@ def migrate_step(work: ProgramWork) -> Rows:
         project = replace(project, console_wait_ms=int(wait))
     if (drawing := settings.get("hardware")) is not None and not os.path.exists(drawing):
         raise OutsideError("there is no such drawing", location=Location(drawing), fix="check hardware")
+    read: list[tuple[StoredProgram, ProgramPorts]] = []
+
+    def read_ports(program: StoredProgram) -> ProgramPorts:
+        read[:] = [(program, program_ports(program))]
+        return read[0][1]
+
+    chain = migration_chain()
+    chain.replace("ports", read_ports)
     made = migrate(
         [work.path], output, project=project, hardware=settings.get("hardware"), target=settings.get("target"),
         source_platform=settings.get("source_platform"), source_board=settings.get("from"),
         include_dirs=[Path(each) for each in work.include_dirs],
-        defines=work.defines, history=str(output.with_name("history.sqlite")),
+        defines=work.defines, history=str(output.with_name("history.sqlite")), chain=chain,
     )  # fmt: skip
-    plan = made.result()["plan"]
+    plan, places = made.result()["plan"], made.models.places
+    program, ports = read[0]
     counts, sites = plan["dispositions"], plan["call_sites"]
     rows: dict[str, list[Row]] = {
         "findings": [_finding("migrate", each) for each in (*made.findings, *made.tasks())],
@@ -245,7 +295,8 @@ def migrate_step(work: ProgramWork) -> Rows:
             "with_body": sites["with_body"], "tasks": plan["tasks"], "open_choices": plan["open_choices"],
             "report": str(made.sketch / "MIGRATION.md"),
         }],
-        "calls": list(_calls_of(made.models.plan, made.models.places)),
+        "calls": list(_calls_of(made.models.plan, places)),
+        "pins": list(_pins(program.views, ports, places)),
         "models": [
             {"kind": Path(name).stem, "path": str(output / name)} for name in sorted(made.contents)
             if name.startswith("models/") and name.endswith(".xmi") and name.count("/") == 1
@@ -259,13 +310,14 @@ _DISPOSITIONS = ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")
 
 
 def _calls_of(plan: migration.MigrationPlan, places: Mapping[str, str]) -> Iterator[Row]:
-    """The calls that adapters stand for; `places`: stored path -> path as it was given."""
+    """The calls that adapters stand for, also those that macros make; `places`: stored path -> path as it was given."""
+    of_macros = MacroCalls(plan)
     for use in plan.adapterUses:
         status = use.status.name
         header = header_name(use)
         known = header != "unknown"
         disposition = "unsupported" if status == "unsupported" else "adapt" if known else "unknown"
-        for call in use.calls:
+        for call in (*use.calls, *of_macros.of(use)):
             unit = ancestor_of_kind(call, ccode.SourceUnit)
             path = str(unit.path) if unit is not None else ""
             yield _call(use.name, header if known else None, call.line, places.get(path, path), disposition, status in _BODY)

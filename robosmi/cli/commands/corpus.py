@@ -129,7 +129,7 @@ def _run(arguments: _Arguments, report: Report) -> None:
         pass
     done = made.summary
     report.result, report.findings = summary_json(done), made.findings
-    if done.programs and done.skipped == done.programs:
+    if made.other_version or (done.programs and done.skipped == done.programs):
         report.ok, report.failure_code = False, SourceError.exit_code
     report.lines = [
         f"{quantity(done.programs, 'program')}: {done.done} done, {done.failed} failed, {done.timeout} timeout, "

@@ -75,13 +75,15 @@ def pin_uses(views: Sequence[CodeView]) -> list[PinUse]:
 def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
     """The pins that a unit uses, by line; two entries with the same function, pin, direction and line are one.
 
+    Where the pin is not known, the argument tells them apart.
+
     Args:
         view: the unit.
         views: a view of each unit of the program, since any may set up what a convention is used for.
     """
     values = view.values
     called = {name for v in views for name in v.called()}
-    found: dict[tuple[str, int | None, str, int], PinUse] = {}
+    found: dict[tuple[str, int | str | None, str, int], PinUse] = {}
     for function in [*view.functions_of("platform", "posix"), *view.unknown()]:
         facts = view.api.pins(function.name, function.header)
         if facts is None:
@@ -89,7 +91,7 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
         for call in function.calls:
             for parameter in facts.parameters:
                 for use in _argument_uses(function, call, parameter, values):
-                    found.setdefault((use.function, use.pin, use.direction, use.line), use)
+                    found.setdefault((use.function, use.expression if use.pin is None else use.pin, use.direction, use.line), use)
         for convention in facts.conventions:
             if convention.set_by is None or convention.set_by not in called:
                 use_or_none = _convention_use(function, convention, values)

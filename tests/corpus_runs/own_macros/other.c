@@ -1,0 +1,3 @@
+#include "simpletools.h"
+
+void other(void) { low(9); }

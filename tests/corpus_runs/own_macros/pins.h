@@ -1,0 +1,3 @@
+#define P 5
+#define Q (P+1)
+#define HI high(3)
