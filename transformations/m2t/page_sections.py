@@ -25,7 +25,15 @@ from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, known_diff
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.choices import AvailableChoice, Choice, Option, available_choices, choices, reason
+from robosmi.transformations.queries.plans.choices import (
+    AvailableChoice,
+    Choice,
+    Option,
+    available_choices,
+    choices,
+    reason,
+    used_by,
+)
 from robosmi.transformations.queries.plans.moved_wires import moved_wiring
 from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
@@ -85,7 +93,7 @@ def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
         "answer": told.chosen, "pins": "", "ranked": [], "command": f"robosmi choose {output} {told.id}=ROLE",
         "drawn": [],
         "others": [
-            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": ""}
+            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": "", "used": ""}
             for o in told.options
         ],
     }  # fmt: skip
@@ -107,6 +115,7 @@ def _choice(
             "value": option.value, "why": option.why,
             "chosen": option.value == told.chosen, "label": label_of(option.value), "title": _on(wire) if wire else "",
             "facts": _facts(libraries[option.value]) if option.value in libraries else "", "pin": _pin(wire, option.value),
+            "used": used_by(plan, decision, option.value) if isinstance(decision, migration.PortBinding) else "",
         }  # fmt: skip
 
     def label_of(value: str) -> str:
