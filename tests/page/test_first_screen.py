@@ -191,6 +191,19 @@ def test_only_findings_of_the_page_are_accepted(about: dict[str, str], migrated:
     assert not (source.parent / "robosmi.toml").exists()
 
 
+def test_a_finding_about_one_port_is_accepted_for_that_port(out: Path) -> None:
+    robosmi.migrate([out.parent / "eye.c"], out, hardware=out.parent / "parts.csv", target="uno", bind={"P3": "A1", "P7": "A2"})
+    page = PlanPage(out)
+    page.document(live=True, nonce="n")
+    assert {element for rule, element in page.acceptable if rule == "RS262"} == {"P3", "P7"}
+    about = {"rule": "RS262", "element": "P3", "reason": "a test lead", "plan": page.now()}
+    assert page.act("accept", about)["state"] == "saved"
+    assert load_project(out.parent).accept[0].element == "P3"
+    assert {element for rule, element in page.acceptable if rule == "RS262"} == {"P3", "P7"}
+    assert "No longer on purpose" in page.sections["check"]
+    assert page.sections["check"].count('data-accept="RS262"') - page.sections["check"].count("data-reason") == 1
+
+
 def test_undo_takes_an_accepted_finding_back(migrated: Any) -> None:
     (source, *_), _, out = migrated("line_follower")
     page = PlanPage(out)

@@ -238,7 +238,7 @@ def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[st
             rows[_ON_PURPOSE].append((*finding_row(finding), names(finding), "", str(finding.evidence["accepted"])))
         elif finding.severity >= Severity.warning:
             count = about[finding.rule, names(finding)]
-            rows[finding.severity.name].append((*finding_row(finding), names(finding), _all(finding.rule, count), ""))
+            rows[finding.severity.name].append((*finding_row(finding), names(finding), _all(finding.rule, names(finding), count), ""))
         else:
             rows[finding.severity.name].append((*finding_row(finding), "", "", ""))
     titles = {**SEVERITIES, _ON_PURPOSE: "On purpose"}
@@ -262,18 +262,21 @@ def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[st
 _ON_PURPOSE = "accepted"
 
 
-def _all(rule: str, count: int) -> str:
-    """Which findings a person accepts together, where one entry of the project file stands for several."""
-    return f"all {count} of {rule}" if count > 1 else ""
+def _all(rule: str, name: str, count: int) -> str:
+    """Which findings a person accepts together, where one entry of the project file stands for several, now or later."""
+    return f"all {count} of {rule}" if count > 1 else f"every {rule}" if name == "*" else ""
 
 
 def _accepted_names(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> Callable[[Finding], str]:
-    """What `[[accept]]` calls the element of a finding: its component's title, `#model_index` if that is ambiguous, or `*`."""
+    """What `[[accept]]` calls the element of a finding: its component's title, `#model_index` if that is ambiguous,
+    its port, or `*`.
+    """
     titles = Counter(str(component.title) for component in (plan.circuit.components if plan.circuit is not None else ()))
 
     def name(finding: Finding) -> str:
         title, index = finding.evidence.get("component"), finding.evidence.get("model_index")
-        return str(title) if titles[str(title)] == 1 else f"#{index}" if index else finding.element or "*"
+        own = str(finding.evidence.get("port") or finding.element or "*")
+        return str(title) if titles[str(title)] == 1 else f"#{index}" if index else own
 
     return name
 
