@@ -211,7 +211,12 @@ def test_undo_takes_an_accepted_finding_back(migrated: Any) -> None:
     rule, element = min(page.acceptable)
     assert page.act("accept", {"rule": rule, "element": element, "reason": "tiny", "plan": page.now()})["state"] == "saved"
     assert load_project(source.parent).accept
-    assert page.act("undo", {"plan": page.now()})["state"] == "saved"
+    undone = page.act("undo", {"plan": page.now()})
+    assert undone["state"] == "saved"
+    assert f"on purpose: {rule} of {element}" in undone["message"]
+    again = page.act("undo", {"plan": page.now()})
+    assert again["state"] == "refused", "what made the migration stays"
+    assert "nothing was restored" in again["message"]
     assert not load_project(source.parent).accept
 
 

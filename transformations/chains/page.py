@@ -182,12 +182,9 @@ class PlanPage:
                     "the plan was changed elsewhere; nothing was done", fix="check the updated page, then try again"
                 )
             if what == "undo":
-                back = undo(self.output)
-                return (
-                    f"Undone: {quantity(len(back.restored) + len(back.removed), 'file')} restored.",
-                    f"robosmi undo {self.output}",
-                    "",
-                )
+                back = undo(self.output, 1, staying=STORED)  # undo, pressed again, takes back the run before
+                files = quantity(len(back.restored) + len(back.removed), "file")
+                return f"Undone: {'; '.join([*back.runs, f'{files} restored'])}.", f"robosmi undo {self.output} --steps 1", ""
             if what == "tick":
                 self._tick(str(about.get("tick", "")), done=about.get("done") is True)
                 return "Saved in the plan and in MIGRATION.md.", "", ""
