@@ -131,6 +131,13 @@ def test_the_next_open_question_is_one_key_away_and_the_progress_counts(out: Pat
         ActionChains(page.browser).key_down(Keys.ALT).send_keys("n").key_up(Keys.ALT).perform()
         assert page.script("return document.activeElement.closest('[data-choice]').dataset.choice") == expected
         assert page.script("return 'option' in document.activeElement.dataset")
+    for identity in opened:
+        page.choose(identity, page.offered(identity)[-1])
+    assert "robosmi verify" in page.told(), "the last choice offers the next step"
+    page.open()
+    assert "No open question" not in page.told()
+    ActionChains(page.browser).key_down(Keys.ALT).send_keys("n").key_up(Keys.ALT).perform()
+    assert "No open question" in page.told()
 
 
 def test_what_is_decided_is_folded_to_a_line_and_can_be_changed(out: Path, serve: Serve) -> None:
