@@ -51,11 +51,13 @@ class UndoStep(Struct, frozen=True):
         number: how many runs are taken back with it; 0 for what the last undo has taken back.
         at: when it wrote, in ISO 8601; empty for a run of an earlier version.
         files: what it changed.
+        run: its command or choice; empty for a run of an earlier version.
     """
 
     number: int
     at: str
     files: tuple[str, ...]
+    run: str = ""
 
 
 class Undone(Struct):
@@ -64,10 +66,12 @@ class Undone(Struct):
     Attributes:
         restored: files with their earlier content, by path.
         removed: files that did not exist before.
+        runs: the commands or choices that were taken back, the last one first.
     """
 
     restored: list[str] = []
     removed: list[str] = []
+    runs: list[str] = []
 
 
 def save_previous(
@@ -78,6 +82,7 @@ def save_previous(
     outside: ExternalFiles | None = None,
     *,
     amending: bool = False,
+    run: str = "",
     undone: Undoing | None = None,
 ) -> ExternalFiles:
     """What a run that is about to write and remove these files is to write elsewhere, so that it can be taken back.
@@ -92,6 +97,7 @@ def save_previous(
         removed: paths of files that go.
         outside: files elsewhere that the run writes, too, such as the project file: what each holds and what it is about to hold.
         amending: whether the run only adds to what the last one did, so that the way back is still the one before that.
+        run: the command or choice that a list of runs names.
         undone: what an undo takes back; None for a run.
 
     Returns:
@@ -108,7 +114,7 @@ def save_previous(
         return outside or {}
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
     elsewhere = {path: [_packed(old), digest(new) if new is not None else None] for path, (old, new) in beyond.items()}
-    state: Record = {"schema": SCHEMA, "at": _now(), "files": files}
+    state: Record = {"schema": SCHEMA, "at": _now(), "run": run, "files": files}
     if elsewhere:
         state["outside"] = elsewhere
     if undone is not None:
@@ -208,6 +214,10 @@ class Undoing(Struct):
             raise SourceError(f"{quantity(count, 'run')} cannot be taken back: {known}", location=Location(str(folder)), fix=fix)
         return cls(runs[:count], runs[count:], redo)
 
+    def names(self) -> list[str]:
+        """What the records call the runs that are taken back."""
+        return [name for each in self.taken if (name := as_text(each.get("run", "")))]
+
     def merged(self) -> Record:
         """The records as one: what was there before the first run, and what the last one wrote."""
         return {kind: _over([as_table(each.get(kind, {})) for each in self.taken]) for kind in ("files", "outside")}
@@ -218,7 +228,9 @@ class Undoing(Struct):
             pairs = [(as_table(state.get(kind, {})), as_table(self.redone.get(kind, {}))) for kind in ("files", "outside")]
             state |= {kind: _over([now, then]) for kind, (now, then) in zip(("files", "outside"), pairs, strict=True)}
         run = self.taken[0].get(REDO)
-        return {**state, "at": self.taken[0].get("at", ""), "earlier": _kept(self.left), **({} if run else {REDO: True})}
+        before = as_text(self.redone.get("run", "")) if self.redone is not None else ""
+        name = "; ".join([*self.names(), *([before] if before else [])])
+        return {**state, "at": self.taken[0].get("at", ""), "run": name, "earlier": _kept(self.left), **({} if run else {REDO: True})}
 
 
 def _over(changes: Sequence[Mapping[str, Json]]) -> Record:
@@ -241,7 +253,7 @@ def steps(folder: Path) -> list[UndoStep]:
     for record in _records(folder):
         number = 0 if record.get(REDO) else sum(step.number > 0 for step in found) + 1
         files = (*_shown(as_table(record["files"])), *sorted(as_table(record.get("outside", {}))))
-        found.append(UndoStep(number, as_text(record.get("at", "")), files))
+        found.append(UndoStep(number, as_text(record.get("at", "")), files, as_text(record.get("run", ""))))
     return found
 
 
@@ -256,16 +268,17 @@ def _unpacked(text: str | None) -> bytes | None:
     return zlib.decompress(packed)
 
 
-def undo(folder: Path, count: int | None = None) -> Undone:
+def undo(folder: Path, count: int | None = None, *, staying: str = "") -> Undone:
     """Put the files of an output folder back as they were before the last run, or before the last undo.
 
     Args:
         folder: the output folder.
         count: how many runs are taken back; None for what was done last.
+        staying: a file of the folder that the caller works with; empty for none.
 
     Raises:
         SourceError: there is no record of an earlier state, it is damaged, or the folder cannot be written.
-        StoppedError: a file was changed since the last run.
+        StoppedError: a file was changed since the last run, or `staying` would be removed.
     """
     with at_work(folder):
         places, manifest = Places(folder), Manifest.load(folder)
@@ -282,6 +295,9 @@ def undo(folder: Path, count: int | None = None) -> Undone:
             )  # fmt: skip
         contents = {name: data for name, data in before.items() if data is not None}
         removed = [name for name, data in before.items() if data is None]
+        if staying in removed:
+            message = f"only the run is left that made {staying}; nothing was restored"
+            raise StoppedError(message, location=Location(str(folder)), fix=f"to remove it, too: robosmi undo {folder}")
         if MANIFEST in contents:
             noted = as_table(json_of(contents[MANIFEST].decode()))
             choices = sorted({*as_texts(noted.get("choices", ())), *manifest.choices})  # what was counted stays counted
@@ -296,7 +312,7 @@ def undo(folder: Path, count: int | None = None) -> Undone:
             note_place(folder)
     restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
     gone = [str(path) for path, (_, old) in put_back.items() if old is None]
-    return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
+    return Undone([*_shown(contents), *restored], [*_shown(removed), *gone], undoing.names())
 
 
 def _record(folder: Path) -> str:

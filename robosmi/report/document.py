@@ -54,7 +54,8 @@ class Report(Struct):
 
         Args:
             severity: rule -> level.
-            accept: what is accepted; an element is a finding's URI, the title of its component, `#model_index`, or `*`.
+            accept: what is accepted; an element is a finding's URI, the title of its component, `#model_index`,
+                its port, or `*`.
         """
         judged: list[Finding] = []
         for finding in self.findings:
@@ -97,7 +98,8 @@ class Report(Struct):
 def _names(finding: Finding) -> tuple[object, ...]:
     """The names by which `[[accept]]` may refer to a finding's element."""
     about = finding.evidence
-    return (finding.element, "*", about.get("component") or None, f"#{about['model_index']}" if "model_index" in about else None)
+    number = f"#{about['model_index']}" if "model_index" in about else None
+    return (finding.element, "*", about.get("component") or None, about.get("port") or None, number)
 
 
 def _accepts_nothing(accepted: Accepted, found: Sequence[Finding]) -> Finding:

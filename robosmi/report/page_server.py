@@ -36,8 +36,8 @@ _POLICY = (
 class Content(Protocol):
     """What a page shows and does."""
 
-    def now(self) -> str:
-        """A word that identifies the current state and changes with it."""
+    def state(self) -> Mapping[str, str]:
+        """Words that identify the current state and change with it."""
 
     def document(self, *, live: bool, nonce: str) -> str:
         """The page as HTML."""
@@ -119,7 +119,7 @@ class _Handler(BaseHTTPRequestHandler):
             else:
                 self._reply(HTTPStatus.OK, text, "text/html", nonce)
         elif path == "state":
-            self._json(HTTPStatus.OK, {"plan": self.server.content.now()})
+            self._json(HTTPStatus.OK, self.server.content.state())
         elif path is not None:
             self._json(HTTPStatus.NOT_FOUND, _refused("page not found"))
 

@@ -2,7 +2,7 @@
 "use strict";
 (() => {
   const body = document.body, by = id => document.getElementById(id), live = "live" in body.dataset;
-  let waiting = Promise.resolve(), noticed = null; // the plan that look() has told of
+  let waiting = Promise.resolve(), noticed = null; // the plan and settings that look() has told of
 
   function say(state, text) {
     by("status").dataset.state = state;
@@ -20,7 +20,7 @@
     try {
       const reply = await fetch(path, {
         method: "POST", headers: { "Content-Type": "application/json" }, cache: "no-store",
-        body: JSON.stringify({ ...about, plan: body.dataset.plan }),
+        body: JSON.stringify({ ...about, plan: body.dataset.plan, settings: body.dataset.settings }),
       });
       answer = await reply.json();
     } catch {
@@ -30,8 +30,8 @@
     }
     if (answer.sections) show(answer);
     if (answer.state !== "saved") back(about);
-    noticed = answer.state === "refused" ? answer.now : null;
-    say(answer.state, answer.message);
+    noticed = answer.state === "refused" ? `${answer.now} ${answer.settings ?? body.dataset.settings}` : null;
+    say(answer.state, answer.state === "saved" && about.value && !answer.open ? `${answer.message} ${done()}` : answer.message);
   }
 
   function back(about) {
@@ -49,6 +49,7 @@
       }
     }
     body.dataset.plan = answer.plan;
+    body.dataset.settings = answer.settings;
     by("result").dataset.result = answer.result_state;
     by("result").textContent = `${answer.result}.`;
     by("progress").dataset.open = answer.open;
@@ -112,10 +113,17 @@
     }
   }
 
+  function done() {
+    return `No open question. ${by("next-step") ? by("next-step").textContent : ""}`;
+  }
+
   function nextOpen() {
     const all = [...document.querySelectorAll(".choice.open")], here = document.activeElement && document.activeElement.closest(".choice.open");
     const next = all[all.indexOf(here) + 1] || all[0];
-    if (!next) return;
+    if (!next) {
+      say("saved", done());
+      return;
+    }
     next.scrollIntoView({ block: "nearest" });
     next.querySelector("[data-option]").focus();
   }
@@ -193,14 +201,15 @@
     const state = by("status").dataset.state;
     try {
       const now = await (await fetch("state", { cache: "no-store" })).json();
-      if (now.plan === body.dataset.plan) {
+      const word = `${now.plan} ${now.settings}`;
+      if (word === `${body.dataset.plan} ${body.dataset.settings}`) {
         if (state === "offline") say("saved", "The server answers again. All changes saved.");
         else if (noticed !== null && state === "stale") say("saved", "The plan matches this page again. All changes saved.");
         noticed = null;
-      } else if (now.plan !== noticed) {
-        noticed = now.plan;
+      } else if (word !== noticed) {
+        noticed = word;
         if (!now.plan) say("stale", "The plan is missing or not readable, so changes cannot be saved. Put it back, or run robosmi open on its new folder.");
-        else if (state !== "stale") say("stale", "The plan was changed elsewhere. Reload the page to see the changes.");
+        else if (state !== "stale") say("stale", `${now.plan === body.dataset.plan ? "robosmi.toml" : "The plan"} was changed elsewhere. Reload the page to see the changes.`);
       }
     } catch {
       if (state !== "offline") say("offline", "The server does not answer. The plan has all saved changes. To continue, run robosmi open again and use its new page.");

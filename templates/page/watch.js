@@ -100,7 +100,8 @@
 
   function drawTimeline() {
     const x = ms => LEFT + (WIDE - LEFT) * Math.min(1, ms / run.ms), all = [];
-    let y = 16;
+    let y = 20;
+    all.push(element("text", { x: LEFT, y: 12, class: "original" }, "original"), element("text", { x: LEFT + 80, y: 12, class: "migrated" }, "sketch"));
     for (const channel of run.channels) {
       all.push(element("text", { x: 0, y: y + HIGH + 4 }, channel.component.slice(0, 24)));
       for (const side of SIDES) {
@@ -123,7 +124,14 @@
       all.push(element("line", { id: "difference", "data-ms": run.difference.ms, x1: mark, x2: mark, y1: 0, y2: y }, element("title", {}, `First difference, ${run.difference.channel}: ${run.difference.message}`)));
     }
     all.push(element("line", { id: "playhead", x1: LEFT, x2: LEFT, y1: 0, y2: y }));
-    by("timeline").setAttribute("viewBox", `0 0 ${WIDE} ${y + 4}`);
+    all.push(element("line", { class: "axis", x1: LEFT, x2: WIDE, y1: y, y2: y }));
+    const wanted = run.ms / 8, power = 10 ** Math.floor(Math.log10(wanted)), step = [1, 2, 5, 10].find(each => each * power >= wanted) * power;
+    for (let n = 0; n * step <= run.ms; n++) {
+      const tick = x(n * step), text = `${Number((n * step / 1000).toPrecision(6))} s`;
+      all.push(element("line", { class: "axis", x1: tick, x2: tick, y1: y, y2: y + 4 }));
+      all.push(element("text", { class: "time", x: tick, y: y + 16, "text-anchor": tick > WIDE - 20 ? "end" : "middle" }, text));
+    }
+    by("timeline").setAttribute("viewBox", `0 0 ${WIDE} ${y + 20}`);
     by("timeline").replaceChildren(...all);
     by("seek").max = run.ms;
   }
@@ -271,11 +279,11 @@
   }
 
   function move(control, value) {
-    const input = control.input, now = Math.round(at * 10) / 10;
+    const input = control.input, now = Math.round(at * 10) / 10, ended = !playing && at >= run.ms;
     input.points = [...input.points.filter(point => point[0] < now), [now, value]];
     run.changed = true;
     const ms = Math.min(LONGEST, Math.max(run.ms, now + FIRST));
-    load({ scenario: "", ms, inputs: moved() });
+    load({ scenario: "", ms, inputs: moved() }).then(longer => { if (longer && ended) play(); });
   }
 
   function step() {
@@ -296,8 +304,10 @@
   }
 
   async function save() {
-    const answer = await ask({ ...asked(Math.max(100, run.ms)), save: by("case-name").value }).catch(() => ({ state: "refused", message: "The server does not answer." }));
-    say(answer.message, answer.state);
+    const name = by("case-name").value.trim(), unnamed = { state: "refused", message: "Give the test case a name." };
+    const answer = name ? await ask({ ...asked(Math.max(100, run.ms)), save: name }).catch(() => ({ state: "refused", message: "The server does not answer." })) : unnamed;
+    by("save-status").textContent = answer.message;
+    by("save-status").dataset.state = answer.state;
     if (answer.cases) listCases(answer.cases);
   }
 

@@ -72,6 +72,24 @@ def test_options_stay_after_a_choice_and_a_port_is_offered_free_pins_and_none(ou
     assert [o["value"] for o in chosen(out, "port:leftQTI")["options"]] == before
 
 
+def test_a_connection_is_stored_with_its_drawing_without_which_it_means_nothing(tmp_path: Path) -> None:
+    program, parts, out = tmp_path / "lamp.c", tmp_path / "parts.csv", tmp_path / "out"
+    program.write_text('#include "simpletools.h"\nint main() { high(3); }\n')
+    parts.write_text("pin;part;title\nD5;LED;one\nD6;LED;two\n")
+    robosmi.migrate([program], out, hardware=parts)
+    assert run("choose", out, "port:P3=D6").code == 0
+    assert "hardware" not in (tmp_path / "robosmi.toml").read_text()
+    wire = next(c.name for c in robosmi.load_model(out / "models" / "plan.xmi").connections if c.pin.label == "D5")
+    assert run("choose", out, f"port:P3={wire}").code == 0
+    assert 'hardware = "parts.csv"' in (tmp_path / "robosmi.toml").read_text()
+    assert run("migrate", program, "-o", tmp_path / "new").code == 0
+    (tmp_path / "robosmi.toml").write_text(f'[bind]\nP3 = "{wire}"\n')
+    said = run("migrate", program, "-o", tmp_path / "other")
+    assert said.code == 2
+    assert "no drawing is given" in said.err
+    assert "--hardware" in said.err
+
+
 def test_one_undo_puts_plan_project_file_and_sketch_back_and_again_forth(out: Path, program: Path) -> None:
     project = program.parent / "robosmi.toml"
     states = [(tree(out), project.read_text())]

@@ -59,6 +59,8 @@ def test_several_runs_are_listed_and_undone_at_once(
     listed = run("undo", out, "--list", "--json").result["steps"]
     assert [step["number"] for step in listed] == [1, 2, 3]
     assert all("blink/blink.ino" in step["files"] and step["at"] for step in listed)
+    assert [step["run"] for step in listed] == ["migrate blink.c"] * 3
+    assert "migrate blink.c: blink/" in run("undo", out, "--list").out
     assert tree(out) == third
     assert run("undo", out, "--steps", "4").code == 3
     assert run("undo", out, "--steps", "0").code == 2

@@ -131,6 +131,13 @@ def test_the_next_open_question_is_one_key_away_and_the_progress_counts(out: Pat
         ActionChains(page.browser).key_down(Keys.ALT).send_keys("n").key_up(Keys.ALT).perform()
         assert page.script("return document.activeElement.closest('[data-choice]').dataset.choice") == expected
         assert page.script("return 'option' in document.activeElement.dataset")
+    for identity in opened:
+        page.choose(identity, page.offered(identity)[-1])
+    assert "robosmi verify" in page.told(), "the last choice offers the next step"
+    page.open()
+    assert "No open question" not in page.told()
+    ActionChains(page.browser).key_down(Keys.ALT).send_keys("n").key_up(Keys.ALT).perform()
+    assert "No open question" in page.told()
 
 
 def test_what_is_decided_is_folded_to_a_line_and_can_be_changed(out: Path, serve: Serve) -> None:
@@ -191,6 +198,19 @@ def test_only_findings_of_the_page_are_accepted(about: dict[str, str], migrated:
     assert not (source.parent / "robosmi.toml").exists()
 
 
+def test_a_finding_about_one_port_is_accepted_for_that_port(out: Path) -> None:
+    robosmi.migrate([out.parent / "eye.c"], out, hardware=out.parent / "parts.csv", target="uno", bind={"P3": "A1", "P7": "A2"})
+    page = PlanPage(out)
+    page.document(live=True, nonce="n")
+    assert {element for rule, element in page.acceptable if rule == "RS262"} == {"P3", "P7"}
+    about = {"rule": "RS262", "element": "P3", "reason": "a test lead", "plan": page.now()}
+    assert page.act("accept", about)["state"] == "saved"
+    assert load_project(out.parent).accept[0].element == "P3"
+    assert {element for rule, element in page.acceptable if rule == "RS262"} == {"P3", "P7"}
+    assert "No longer on purpose" in page.sections["check"]
+    assert page.sections["check"].count('data-accept="RS262"') - page.sections["check"].count("data-reason") == 1
+
+
 def test_undo_takes_an_accepted_finding_back(migrated: Any) -> None:
     (source, *_), _, out = migrated("line_follower")
     page = PlanPage(out)
@@ -198,7 +218,12 @@ def test_undo_takes_an_accepted_finding_back(migrated: Any) -> None:
     rule, element = min(page.acceptable)
     assert page.act("accept", {"rule": rule, "element": element, "reason": "tiny", "plan": page.now()})["state"] == "saved"
     assert load_project(source.parent).accept
-    assert page.act("undo", {"plan": page.now()})["state"] == "saved"
+    undone = page.act("undo", {"plan": page.now()})
+    assert undone["state"] == "saved"
+    assert f"on purpose: {rule} of {element}" in undone["message"]
+    again = page.act("undo", {"plan": page.now()})
+    assert again["state"] == "refused", "what made the migration stays"
+    assert "nothing was restored" in again["message"]
     assert not load_project(source.parent).accept
 
 

@@ -152,6 +152,17 @@ def test_a_choice_changes_the_folder_and_the_project_file_and_nothing_else(serve
     assert {name: after[name] for name in beside} == beside
 
 
+def test_a_project_file_that_changes_is_another_state_and_is_shown_on_the_reloaded_page(server: PageServer, out: Path) -> None:
+    page = asked(server, f"/{server.token}/")[2].decode()
+    shown = dict(re.findall(r'data-(plan|settings)="([^"]*)"', page[page.index("<body") :]))
+    assert json.loads(asked(server, f"/{server.token}/state")[2]) == shown
+    (out.parent / "robosmi.toml").write_text('[[accept]]\nrule = "RS240"\nelement = "*"\nreason = "tiny"\n')
+    now = json.loads(asked(server, f"/{server.token}/state")[2])
+    assert now["plan"] == shown["plan"]
+    assert now["settings"] not in ("", shown["settings"])
+    assert f'data-settings="{now["settings"]}"' in asked(server, f"/{server.token}/")[2].decode()
+
+
 def test_what_is_said_of_a_choice_that_is_open_again(server: PageServer, out: Path) -> None:
     said = []
     for value in ("D4", ""):

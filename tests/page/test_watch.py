@@ -217,8 +217,18 @@ def test_the_live_part_runs_pauses_steps_takes_an_input_and_stops(out: Path, ser
     assert page.script(clock) == stood
     assert "ready" in page.script("return document.getElementById('console-migrated').textContent")
     assert page.script("return document.querySelectorAll('#timeline path').length") >= 2
+    assert page.script("return [...document.querySelectorAll('#timeline .time')].map(e => e.textContent)")[:2] == ["0 s", "1 s"]
+    said = "return document.getElementById('save-status').textContent"
+    page.script("document.getElementById('save').click()")
+    page.wait(lambda: "name" in page.script(said))
     page.script("document.getElementById('case-name').value = 'by hand'; document.getElementById('save').click()")
     page.wait(lambda: page.script("return [...document.getElementById('case').options].some(o => o.value === 'by_hand')"), BUILDS)
+    assert "Saved" in page.script(said)
+    ended = "return document.getElementById('pause').textContent === 'Simulate longer'"
+    page.script("document.getElementById('speed').value = '10'; document.getElementById('pause').click()")
+    page.wait(lambda: page.script(ended), BUILDS)
+    page.script("document.querySelector('[data-input=key]').click()")
+    page.wait(lambda: page.script("return 'playing' in document.getElementById('watch').dataset"), BUILDS)
     page.script("document.querySelector('[data-run]').click()")
     assert page.script("return document.querySelector('[data-run]').dataset.run") == "stopped"
 

@@ -53,7 +53,8 @@ def accept(output: Path, accepted: Accepted, *, source: Path | None = None, seen
             fix = f"write an [[accept]] into {FILE_NAME} next to the program: {entry}"
             why = change.stays if change is not None else reason
             raise SourceError(f"this cannot be saved: {why}", location=Location(str(output / STORED)), fix=fix)
-        return produce(models, output, inputs={STORED: data}, outside=change.files)
+        run = f"{'on purpose' if accepted.reason else 'no longer on purpose'}: {accepted.rule} of {accepted.element}"
+        return produce(models, output, inputs={STORED: data}, outside=change.files, run=run)
 
 
 def project_findings(models: MigrationModels, output: Path, source: Path | None = None) -> list[Finding]:

@@ -159,9 +159,10 @@ def choose(
         settings, change = Project(), ProjectChange({}, reason)
         if place is not None:
             settings = load_project(place)
-            change = _project_change(models, chosen, place, settings)
+            change = _project_change(models, chosen, place, settings, folder)
         made = produce(
-            models, folder, inputs={STORED: data}, outside=change.files, dry_run=dry_run, diff=True, unchanged=unchanged
+            models, folder, inputs={STORED: data}, outside=change.files, dry_run=dry_run, diff=True, unchanged=unchanged,
+            run=f"choose {' '.join(f'{name}={value}' for name, value in chosen.items())}",
         )
     if change.stays:
         models.notes.append(_stays(folder, change.stays, known=place is not None))
@@ -260,8 +261,13 @@ def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> N
             other.evidence.clear()
 
 
-def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: Path, settings: Project) -> ProjectChange:
-    """The changed project file of a folder with the choices, and the reason if it has to stay unchanged."""
+def _project_change(
+    models: MigrationModels, chosen: Mapping[str, str], folder: Path, settings: Project, output: Path
+) -> ProjectChange:
+    """The changed project file of a folder with the choices, and the reason if it has to stay unchanged.
+
+    A choice by the name of a connection means nothing without its drawing, which is therefore named with it.
+    """
     entries: dict[str, dict[str, str | None]] = {}
     for identity, value in chosen.items():
         decision = the_choice(models.plan, identity).decision
@@ -269,13 +275,26 @@ def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: 
         table = _table(how.table, models.plan, settings)
         key = key_of(folder / FILE_NAME, table, names_of(decision), how.subject)
         entries.setdefault(table, {})[key] = value or None
+    wires = {str(c.name) for c in models.plan.connections}
+    drawing = _drawing(output, folder) if settings.hardware is None and wires & {*chosen.values()} else ""
+    if drawing:
+        entries = {"migrate": {"hardware": drawing}, **entries}
     change = changed_project(folder, entries)
+    entries.pop("migrate", None)
     tables = {"bind": settings.bind, "libraries": settings.libraries}
     tables |= {table: {} for table in entries if table not in tables}
     others = [f'{key} = "{tables[t][key]}"' for t, values in entries.items() for key in values if key in tables[t]]
     if change.stays and others:
         return replace(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
     return change
+
+
+def _drawing(output: Path, folder: Path) -> str:
+    """The drawing of the last migration, relative to the project file's folder; empty if it is not in there."""
+    run = last_run(output)
+    path = Path(str(run[1]["hardware"])).absolute() if run is not None and run[1].get("hardware") else None
+    inside = path is not None and path.is_file() and path.is_relative_to(folder)
+    return path.relative_to(folder).as_posix() if path is not None and inside else ""
 
 
 def _table(table: str, plan: migration.MigrationPlan, settings: Project) -> str:

@@ -149,7 +149,7 @@ def pin_library(output: Path, name: str, version: str) -> Generated | None:
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         refresh_findings(models.plan, words=False)
-        return produce(models, output, inputs={STORED: stored}, diff=True)
+        return produce(models, output, inputs={STORED: stored}, diff=True, run=f"library {name} {version}")
 
 
 def _rows(facts: Path) -> list[LibraryRow]:

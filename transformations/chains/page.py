@@ -25,12 +25,13 @@ from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
 from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.plugins import content
-from robosmi.project import Accepted
+from robosmi.project import FILE_NAME, Accepted
 from robosmi.transformations.chains.accept import accept, project_findings
 from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import FOLDER, MigrationModels, stored_models
+from robosmi.transformations.chains.stages.sources import project_folder
 from robosmi.transformations.m2t import page_code, page_sections
 from robosmi.transformations.m2t.first_screen import Counted, works
 from robosmi.transformations.m2t.program_files import REPORT
@@ -54,6 +55,8 @@ Rows = tuple[str, bool, tuple[Row, ...]]
 """Groups of rows that a browser lays out together, after the name of their section and whether the page is live."""
 _CODE = (".ino", ".h", ".cpp", ".c")
 _POLICY = "default-src 'none'; img-src data:; style-src 'nonce-{nonce}'; script-src 'nonce-{nonce}'; base-uri 'none'"
+_KEPT = "RS512"
+"""The rule for an edit of the sketch that was kept."""
 _LONGEST = 300
 """Characters of a value or a reason that a page may send."""
 
@@ -69,6 +72,7 @@ class PlanPage:
 
     Attributes:
         plan: the digest of the plan that the sections were made of.
+        settings: the digest of robosmi.toml at that time; empty if there was none.
         sections: name -> HTML.
         acceptable: rule and element of each finding that a person may say is on purpose.
     """
@@ -79,8 +83,9 @@ class PlanPage:
         self.output, self.source, self.shown = output, source, shown
         self._watched: Any = None
         self._engine = engine
-        self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
+        self.plan, self.settings, self.sections, self.facts = "", "", dict[str, str](), dict[str, Any]()
         self._held: MigrationModels | None = None
+        self._project: Path | None = None
         self._templates = Gen(templates=_built_in())
         self._shown, self._rows = dict[Rows, str](), dict[Rows, str]()
         self.acceptable = set[tuple[str, str]]()
@@ -93,6 +98,20 @@ class PlanPage:
         except RobosmiError:
             return ""
 
+    def state(self) -> dict[str, str]:
+        """The digests of the currently stored plan and of the current robosmi.toml."""
+        return {"plan": self.now(), "settings": self._settings_now()}
+
+    def _settings_now(self) -> str:
+        try:
+            return digest(inputs.read_bytes(self._project, inputs.SETTINGS)) if self._project is not None else ""
+        except (OSError, RobosmiError):
+            return ""
+
+    def _is_current(self) -> bool:
+        """Whether the sections show the stored plan, as the current robosmi.toml judges it."""
+        return (self.plan, self.settings) == (self.now(), self._settings_now())
+
     def document(self, *, live: bool, nonce: str) -> str:
         """The page as a whole.
 
@@ -103,7 +122,7 @@ class PlanPage:
         Raises:
             SourceError, ModelError: the plan cannot be read.
         """
-        if not live or not self.sections or self.plan != self.now():
+        if not live or not self.sections or not self._is_current():
             self._make(stored_models(self.output), live=live)
         sections = [(name, SECTIONS[name], self.sections[name]) for name in self.shown]
         groups = [
@@ -112,7 +131,7 @@ class PlanPage:
         ]
         return str(
             self._templates.text(
-                "page.html.j2", live=live, decides="decide" in self.shown, plan=self.plan, head=_head(live, nonce),
+                "page.html.j2", live=live, decides="decide" in self.shown, plan=self.plan, settings=self.settings, head=_head(live, nonce),
                 foot=_script(nonce), sections=sections, groups=groups, **self.facts,
             )
         )  # fmt: skip
@@ -122,15 +141,16 @@ class PlanPage:
 
         Args:
             what: `choose` (id, value, why), `undo`, `tick` (tick, done) or `accept` (rule, element, reason; an empty one takes it
-                back), each with the digest of the plan that the page shows.
+                back), each with the digests of the plan and of robosmi.toml (settings) that the page shows.
             about: these values.
 
         Returns:
             `state` (saved, stale or refused), `message`, the digest of the plan as it is stored `now`, and the page as it now is:
-            `plan`, `sections` that have changed since the page was shown (as `changed` says), `open`, `decided`, `progress`,
+            `plan`, `settings`, `sections` that have changed since the page was shown (as `changed` says), `open`, `decided`, `progress`,
             `result` with its `result_state`, `command` and `diff`.
         """
-        before, shown = (self.plan, dict(self.sections)), str(about.get("plan", ""))
+        before, shown = ((self.plan, self.settings), dict(self.sections)), str(about.get("plan", ""))
+        settings = str(about.get("settings", self.settings))
         state, message, command, changes = "saved", "", "", ""
         try:
             with collector_at_rest():
@@ -140,13 +160,13 @@ class PlanPage:
         except RobosmiError as error:
             state, message = "refused", _told(error)
         try:
-            if (state, what) != ("saved", "choose") and self.plan != self.now():
+            if (state, what) != ("saved", "choose") and not self._is_current():
                 self._make(stored_models(self.output))
         except RobosmiError as error:
             return {"state": "refused", "message": _told(error), "now": self.now()}
-        same = before[1] if shown == before[0] else {}
+        same = before[1] if (shown, settings) == before[0] else {}
         return {
-            "state": state, "message": message, "plan": self.plan, "now": self.plan, "command": command, "diff": changes,
+            "state": state, "message": message, "plan": self.plan, "settings": self.settings, "now": self.plan, "command": command, "diff": changes,
             "sections": {
                 name: changed(same[name], text) if name in same else text
                 for name, text in self.sections.items() if same.get(name) != text and name in self.shown
@@ -173,7 +193,8 @@ class PlanPage:
             self._make(done.models, known=done.counted)
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
             where = f"in the plan and in {done.updated_project}" if done.project is not None else alone
-            return f"Saved {where}: {identity} {f'= {value}' if value else 'is open again'}.", done.command, done.diff
+            kept = "".join(f" {note.message}." for note in done.findings if note.rule == _KEPT)
+            return f"Saved {where}: {identity} {f'= {value}' if value else 'is open again'}.{kept}", done.command, done.diff
         if what == "accept":
             return self._accept(about, shown)
         with at_work(self.output):
@@ -182,12 +203,9 @@ class PlanPage:
                     "the plan was changed elsewhere; nothing was done", fix="check the updated page, then try again"
                 )
             if what == "undo":
-                back = undo(self.output)
-                return (
-                    f"Undone: {quantity(len(back.restored) + len(back.removed), 'file')} restored.",
-                    f"robosmi undo {self.output}",
-                    "",
-                )
+                back = undo(self.output, 1, staying=STORED)  # undo, pressed again, takes back the run before
+                files = quantity(len(back.restored) + len(back.removed), "file")
+                return f"Undone: {'; '.join([*back.runs, f'{files} restored'])}.", f"robosmi undo {self.output} --steps 1", ""
             if what == "tick":
                 self._tick(str(about.get("tick", "")), done=about.get("done") is True)
                 return "Saved in the plan and in MIGRATION.md.", "", ""
@@ -202,7 +220,8 @@ class PlanPage:
         accept(self.output, accepted, source=self.source, seen=shown)
         self._make(stored_models(self.output))
         said = f"on purpose: {accepted.reason}" if accepted.reason else "no longer on purpose"
-        return f"Saved in robosmi.toml: {accepted.rule} of {accepted.element} is {said}.", "", ""
+        about = f"every {accepted.rule}" if accepted.element == "*" else f"{accepted.rule} of {accepted.element}"
+        return f"Saved in robosmi.toml: {about} is {said}.", "", ""
 
     def _read(self, folder: Path, now: str) -> MigrationModels:
         """The models of a folder whose plan has this digest; cached by the page while the files are unchanged."""
@@ -238,6 +257,9 @@ class PlanPage:
         set_verdict(plan, said)
         drawn = Places(self.output).read(f"{FOLDER}/{PICTURE}") or b""
         picture = drawn.decode("utf-8", "replace") if said is not None and said.picture else ""
+        place, _ = project_folder(self.output, plan, self.source)
+        self._project = place / FILE_NAME if place is not None else None
+        self.settings = self._settings_now()
         findings = project_findings(models, self.output, self.source)
         check = page_sections.check(plan, findings)
         self.acceptable = {(row[0], row[4]) for group in check["groups"] for chunk in group["chunks"] for row in chunk if row[4]}

@@ -36,6 +36,8 @@ from robosmi.transformations.queries.source_text import SourceText
 
 _BARE_KEY = re.compile(r"[\w-]+")
 """A TOML key that needs no quotation marks."""
+_PORT = re.compile(r"plan!PortBinding //@portBindings\.(\d+)")
+"""The address of a port's decision in findings of constraints."""
 WIRING = "RS347"
 """The rule of the task to approve a proposed wiring."""
 Task = migration.PlanTask
@@ -62,11 +64,17 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
             rule=f.rule, severity=enum_literal(Level, f.severity.name), message=f.message, fix=f.fix or "",
             path=_stored(f.location.path, paths, kept) if f.location else "",
             line=(f.location.line or 0) if f.location else 0, column=(f.location.column or 0) if f.location else 0,
-            elements=[c for c in [components.get(str(f.evidence.get("model_index", "")))] if c is not None],
+            elements=[e for e in (components.get(str(f.evidence.get("model_index", ""))), _port(plan, f)) if e is not None],
         )
         for f in read
         if not _adapted(f, plan)
     ]  # fmt: skip
+
+
+def _port(plan: migration.MigrationPlan, finding: Finding) -> migration.PortBinding | None:
+    """The port that a constraint's finding is about."""
+    about = _PORT.fullmatch(finding.element or "")
+    return list(plan.portBindings)[int(about[1])] if about is not None else None
 
 
 def _adapted(finding: Finding, plan: migration.MigrationPlan) -> bool:

@@ -169,9 +169,11 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
         screen: its first screen.
         errors: number of errors among its findings, without the verdict.
     """
-    to_write = sum(not task.done for task in Work(plan).write)
+    waiting = [task for task in Work(plan).write if not task.done]
+    conflicts = sum(task.rule == CONFLICT for task in waiting)
+    to_write = len(waiting) - conflicts
     left = [
-        (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
+        (conflicts, "conflict", "to solve"), (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
         (len(screen.shortages), "shortage", "on the board"),
     ]  # fmt: skip
     if needs := [f"{quantity(count, what)} {why}" for count, what, why in left if count]:
@@ -180,6 +182,8 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
     return _RESULTS.get(verdict, ("not-verified", "Not verified: not compared with the original yet"))
 
 
+CONFLICT = "RS511"
+"""The rule for a marked conflict between an edit and the generated text."""
 _RESULTS = {
     "RS850": ("works", "Works: no difference found between the original and the sketch"),
     "RS851": ("needs-you", "Needs you: the sketch behaves differently from the original"),

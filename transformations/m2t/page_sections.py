@@ -25,7 +25,15 @@ from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, known_diff
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.choices import AvailableChoice, Choice, Option, available_choices, choices, reason
+from robosmi.transformations.queries.plans.choices import (
+    AvailableChoice,
+    Choice,
+    Option,
+    available_choices,
+    choices,
+    reason,
+    used_by,
+)
 from robosmi.transformations.queries.plans.moved_wires import moved_wiring
 from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
@@ -85,7 +93,7 @@ def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
         "answer": told.chosen, "pins": "", "ranked": [], "command": f"robosmi choose {output} {told.id}=ROLE",
         "drawn": [],
         "others": [
-            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": ""}
+            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": "", "used": ""}
             for o in told.options
         ],
     }  # fmt: skip
@@ -107,6 +115,7 @@ def _choice(
             "value": option.value, "why": option.why,
             "chosen": option.value == told.chosen, "label": label_of(option.value), "title": _on(wire) if wire else "",
             "facts": _facts(libraries[option.value]) if option.value in libraries else "", "pin": _pin(wire, option.value),
+            "used": used_by(plan, decision, option.value) if isinstance(decision, migration.PortBinding) else "",
         }  # fmt: skip
 
     def label_of(value: str) -> str:
@@ -229,7 +238,7 @@ def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[st
             rows[_ON_PURPOSE].append((*finding_row(finding), names(finding), "", str(finding.evidence["accepted"])))
         elif finding.severity >= Severity.warning:
             count = about[finding.rule, names(finding)]
-            rows[finding.severity.name].append((*finding_row(finding), names(finding), _all(finding.rule, count), ""))
+            rows[finding.severity.name].append((*finding_row(finding), names(finding), _all(finding.rule, names(finding), count), ""))
         else:
             rows[finding.severity.name].append((*finding_row(finding), "", "", ""))
     titles = {**SEVERITIES, _ON_PURPOSE: "On purpose"}
@@ -253,18 +262,21 @@ def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[st
 _ON_PURPOSE = "accepted"
 
 
-def _all(rule: str, count: int) -> str:
-    """Which findings a person accepts together, where one entry of the project file stands for several."""
-    return f"all {count} of {rule}" if count > 1 else ""
+def _all(rule: str, name: str, count: int) -> str:
+    """Which findings a person accepts together, where one entry of the project file stands for several, now or later."""
+    return f"all {count} of {rule}" if count > 1 else f"every {rule}" if name == "*" else ""
 
 
 def _accepted_names(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> Callable[[Finding], str]:
-    """What `[[accept]]` calls the element of a finding: its component's title, `#model_index` if that is ambiguous, or `*`."""
+    """What `[[accept]]` calls the element of a finding: its component's title, `#model_index` if that is ambiguous,
+    its port, or `*`.
+    """
     titles = Counter(str(component.title) for component in (plan.circuit.components if plan.circuit is not None else ()))
 
     def name(finding: Finding) -> str:
         title, index = finding.evidence.get("component"), finding.evidence.get("model_index")
-        return str(title) if titles[str(title)] == 1 else f"#{index}" if index else finding.element or "*"
+        own = str(finding.evidence.get("port") or finding.element or "*")
+        return str(title) if titles[str(title)] == 1 else f"#{index}" if index else own
 
     return name
 

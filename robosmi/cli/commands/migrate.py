@@ -143,11 +143,15 @@ def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], ac
     report.artifacts = made.artifacts()
     report.lines = made.lines()
     report.judge(severity, accept)
-    if made.written:
+    marked = dict.fromkeys(str(task.location.path) for task in report.tasks if task.rule == _CONFLICT and task.location is not None)
+    if made.written and marked:
+        report.next = f"solve the conflicts in {', '.join(str(made.output / name) for name in marked)}, then migrate again"
+    elif made.written:
         report.next = command_line("open" if made.open_choices else "compile", made.output)
     return report
 
 
+_CONFLICT = "RS511"
 SHOWN = 7
 NONE = "none"
 

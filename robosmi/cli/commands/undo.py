@@ -42,13 +42,14 @@ def run(arguments: _Arguments) -> Report:
         raise UsageError("--steps takes a number from 1, and no --list", fix="see the numbers with --list first")
     if arguments.list:
         found = steps(arguments.output)
-        report.result = {"steps": [{"number": step.number, "at": step.at or None, "files": list(step.files)} for step in found]}
+        report.result = {"steps": [{"number": step.number, "at": step.at or None, "run": step.run or None, "files": list(step.files)} for step in found]}
         report.lines = [_line(step) for step in found]
         report.next = command_line("undo", arguments.output)
         return report
     done = undo(arguments.output, arguments.steps)
     report.result = {"restored": done.restored, "removed": done.removed}
-    report.lines = [f"restored in {arguments.output}:", *(f"  {name}" for name in done.restored)]
+    report.lines = [f"undone: {'; '.join(done.runs)}"] * bool(done.runs)
+    report.lines += [f"restored in {arguments.output}:", *(f"  {name}" for name in done.restored)]
     report.lines += [f"  {name} (removed)" for name in done.removed]
     if (arguments.output / "models").is_dir():
         report.next = command_line("open", arguments.output)
@@ -56,7 +57,7 @@ def run(arguments: _Arguments) -> Report:
 
 
 def _line(step: UndoStep) -> str:
-    """A step as a person reads it: its number, when it ran, and what it changed."""
+    """A step as a person reads it: its number, when it ran, its command or choice, and what it changed."""
     named = [*step.files[:_SHOWN], *[f"and {len(step.files) - _SHOWN} more"] * (len(step.files) > _SHOWN)]
     what = "undone; undo again to redo it" if step.number == 0 else f"--steps {step.number}"
-    return f"{what:16} {step.at.replace('T', ' ').removesuffix('Z') or 'earlier':20} {', '.join(named)}"
+    return f"{what:16} {step.at.replace('T', ' ').removesuffix('Z') or 'earlier':20} {step.run + ': ' if step.run else ''}{', '.join(named)}"

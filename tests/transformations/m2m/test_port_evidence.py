@@ -45,6 +45,17 @@ def test_what_the_program_says_beside_an_open_port_orders_its_options(case: Path
     assert all(offered[name][0].score < 0.5 for name in wanted)  # it only orders: nothing is decided by it
 
 
+def test_what_another_port_has_is_offered_after_what_is_free_and_before_nothing() -> None:
+    case = Path(__file__).parent / "port_evidence" / "comments_and_variables"
+    plan = robosmi.plan_migration([case / "program.c"], hardware=case / "wiring.csv", bind={"P3": "D2"}).plan
+    names = {c.pin.label: c.name for c in plan.connections if c.pin is not None}
+    options = next(choice.options for choice in available_choices(plan) if choice.subject == "P4")
+    values = [option.value for option in options]
+    assert values[0] in (names["D3"], names["D4"])
+    assert values[-2:] == [names["D2"], "none"]
+    assert options[-2].why.startswith("used by port 'P3'")
+
+
 def test_the_feedback_of_a_servo_is_an_encoder_where_a_person_binds_it(tmp_path: Path) -> None:
     case = Path(__file__).parent / "port_evidence" / "feedback_servos"
     bound = {"abdrive360.left_encoder": "D4", "abdrive360.right_encoder": "D5"}

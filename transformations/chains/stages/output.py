@@ -169,6 +169,7 @@ def produce(
     unchanged: Mapping[str, bytes] | None = None,
     program: Generation | None = None,
     report_only: bool = False,
+    run: str = "generate",
 ) -> Generated:
     """Generate the program of a decided plan and put it, with its report and the models, into the output folder.
 
@@ -183,6 +184,7 @@ def produce(
         unchanged: models beside the plan that are as they are stored, with their bytes.
         program: the program, if it was generated from these decisions already.
         report_only: write no other file than the report and the models, as part of the last run, which `undo` takes back.
+        run: what `undo --list` calls the run.
 
     Raises:
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
@@ -200,7 +202,7 @@ def produce(
         if report_only:
             refuse_others(done, writing)
         if not dry_run:
-            commit(done, writing, inputs or {}, outside, amending=report_only)
+            commit(done, writing, inputs or {}, outside, amending=report_only, run=run)
     changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else {}
     new = [choice for key, choice in chosen_by_persons(models.plan).items() if key not in done.folder.manifest.choices]
     return Generated(

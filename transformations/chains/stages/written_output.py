@@ -85,9 +85,10 @@ def refuse_others(done: Completed, new: Writing) -> None:
 
 
 def commit(
-    done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None, *, amending: bool = False
+    done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None,
+    *, amending: bool = False, run: str = "",
 ) -> None:
-    """Write the files, and the record of them, all or none; `amending` as for `save_previous`."""
+    """Write the files, and the record of them, all or none; `amending` and `run` as for `save_previous`."""
     manifest, places, output = done.folder.manifest, done.folder.places, done.folder.path
     record = Manifest.of(new.contents | new.records, {*chosen_by_persons(done.models.plan), *manifest.choices})
     # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost;
@@ -101,7 +102,7 @@ def commit(
     record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
     record.beside_choices = manifest.beside_choices if STORED in staying else digest_without_choices(new.contents[STORED])
     writing = {**new.every, MANIFEST: record.to_bytes()}
-    elsewhere = save_previous(output, places, writing, new.going, outside, amending=amending)
+    elsewhere = save_previous(output, places, writing, new.going, outside, amending=amending, run=run)
     manifest.note(output, writing[MANIFEST])
     update(output, writing, new.going, places.seen, elsewhere)
     note_place(output)

@@ -313,11 +313,18 @@ def _chosen(
         return connection, connection.pin
     pin = next((p for p in board.pins if said in (p.label, *p.aliases)), None)
     if pin is None:
+        if not connections:
+            raise UsageError(
+                f"'{said}' is neither a pin of {board.title} nor a mapping, since no drawing is given"
+                f"{did_you_mean(said, [*(p.label for p in board.pins), NOT_WIRED])}",
+                fix=f'add --hardware FILE (or hardware = "FILE" under [migrate] in robosmi.toml), or use a label such as '
+                f"{board.pins[0].label}, or {NOT_WIRED}",
+            )
         names = [c.name for c in connections] + [p.label for p in board.pins] + [NOT_WIRED]
         raise UsageError(
             f"'{said}' is neither a pin of {board.title} nor a mapping{did_you_mean(said, names)}",
             fix=f"use a label such as {board.pins[0].label}, {NOT_WIRED}"
-            + (f", or one of: {', '.join(c.name for c in connections)}" if connections else " for a port that is not wired"),
+            + f", or one of: {', '.join(c.name for c in connections)}",
         )
     return None, pin
 

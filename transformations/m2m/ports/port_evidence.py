@@ -1,6 +1,6 @@
 """Evidence for and against a port being on a connection: directions, kinds of components, names, connectors.
 
-What the program says beside a port (the variable that gets its value, a comment at its line) decides nothing: a comment may be
+What the program says beside a port (the variable that gets its value, a comment at its line or declaration) decides nothing: a comment may be
 older than the code. It only orders the options of a port that stays open.
 
 Words and kinds are those of `queries.circuits.component_kinds`. Which port gets which connection is decided in `port_binding`.
@@ -69,12 +69,13 @@ class Seat(Struct, frozen=True, dict=True):
 
     @cached_property
     def remarks(self) -> Sequence[Remark]:
-        """What the program says beside the first uses of the port, without repetitions."""
-        return list(dict.fromkeys(each for use in self.uses[:MOST_USES] for each in _remarks(use)))
+        """What the program says beside the declaration of the port and its first uses, without repetitions."""
+        used = (each for use in self.uses[:MOST_USES] for each in _remarks(use))
+        return list(dict.fromkeys([*_comments(self.binding.element), *used]))
 
 
 class Remark(Struct, frozen=True):
-    """Words beside a use of a port.
+    """Words beside the declaration or a use of a port.
 
     Attributes:
         place: what has them, for a reason.
@@ -214,17 +215,23 @@ def _remarks(use: PinUse) -> Iterator[Remark]:
     """
     if (name := _receiver(use.call)) and (words := significant_words([name])):
         yield Remark(f"the variable '{name}'", frozenset(words))
-    unit = unit_of(use.call)
-    comments = unit.comments if unit is not None else ()
-    beside = [c for c in comments if c.line == use.line]
-    above = [c for c in comments if c.endLine == use.line - 1 and c.column == use.call.column]
-    for comment in beside or above:
-        if words := significant_words([comment.text]):
-            yield Remark(f"the comment in line {comment.line}", frozenset(words))
+    yield from _comments(use.call)
     if use.direction == "out" and (following := _read_next(use.call)):
         sides = frozenset().union(*known_roles().apart)
         if words := significant_words([following]) & sides:
             yield Remark(f"'{following}', which is read next,", frozenset(words))
+
+
+def _comments(element: ccode.Located | None) -> Iterator[Remark]:
+    """The comments at the line of an element, or else alone on the line above it."""
+    unit = unit_of(element) if element is not None else None
+    if element is None or unit is None:
+        return
+    beside = [c for c in unit.comments if c.line == element.line]
+    above = [c for c in unit.comments if c.endLine == element.line - 1 and c.column == element.column]
+    for comment in beside or above:
+        if words := significant_words([comment.text]):
+            yield Remark(f"the comment in line {comment.line}", frozenset(words))
 
 
 def _read_next(call: ccode.Expression) -> str:

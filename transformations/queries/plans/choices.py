@@ -1,8 +1,8 @@
 """Every choice that a user can make, as the contract's `choices[]`: a pin for each port, a library for each component.
 
 A choice that was made keeps its options. A port is offered the pins that the drawing proposes, then each free pin that can do
-what the program does with the port, then `none`, which comes first where nothing that is drawn fits. `answers` tells what a
-choice is called in a command and in a project file.
+what the program does with the port, then pins that other ports have, then `none`, which comes first where nothing that is drawn
+fits. `answers` tells what a choice is called in a command and in a project file.
 """
 
 from __future__ import annotations
@@ -168,12 +168,24 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
             first = not decision.options and len(plan.connections) > 0  # nothing that is drawn fits
             why = "nothing that is drawn fits" if first else "not connected: its calls do nothing"
             ranked.insert(0 if first else len(ranked), (NOT_WIRED, 0.0, why))
+        ranked = _free_first(ranked, plan, decision)
     elif isinstance(decision, migration.LibraryChoice):
         ranked.append((NO_LIBRARY, 0.0, "no library needed"))
     chosen = "" if decision.open else str(decision.choice)
     if chosen and all(value != chosen for value, _, _ in ranked):
         ranked.insert(0, (chosen, float(decision.confidence), reason(decision)))
     yield from (Option(value, score, why) for value, score, why in ranked)
+
+
+def _free_first(
+    ranked: list[tuple[str, float, str]], plan: migration.MigrationPlan, binding: migration.PortBinding
+) -> list[tuple[str, float, str]]:
+    """The options in their order, with those that another port has behind the free ones, and before a `none` at the end."""
+    chosen = "" if binding.open else str(binding.choice)
+    taken = [option for option in ranked if option[0] != chosen and used_by(plan, binding, option[0])]
+    free = [option for option in ranked if option not in taken]
+    end = len(free) - (len(free) > 1 and free[-1][0] == NOT_WIRED)
+    return [*free[:end], *taken, *free[end:]]
 
 
 def free_pins(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[platform.Pin]:
@@ -199,9 +211,22 @@ def _why_drawn(pin: platform.Pin, binding: migration.PortBinding) -> str:
 
 
 def _why_on(pin: platform.Pin | None, why: str, plan: migration.MigrationPlan, binding: migration.PortBinding) -> str:
-    """What speaks for a connection, and which other port has its pin already."""
-    others = [str(b.name) for b in plan.portBindings if b is not binding and b.pin is not None and b.pin is pin]
-    return "; ".join([*([why] if why else []), *([f"used by port '{others[0]}'"] if others else [])])
+    """What speaks for a connection, after the other port that has its pin already, which matters most."""
+    other = _user_of(pin, plan, binding)
+    return "; ".join([*([f"used by port '{other}'"] if other else []), *([why] if why else [])])
+
+
+def used_by(plan: migration.MigrationPlan, binding: migration.PortBinding, value: str) -> str:
+    """The other port that has the pin of an option, empty if none has."""
+    return _user_of(next((c.pin for c in plan.connections if c.name == value), None), plan, binding)
+
+
+def _user_of(pin: platform.Pin | None, plan: migration.MigrationPlan, binding: migration.PortBinding) -> str:
+    """The first other port on a pin, or whose component answers there."""
+    if pin is None:
+        return ""
+    others = (b for b in plan.portBindings if b is not binding)
+    return next((str(b.name) for b in others if b.pin is pin or (b.answer is not None and b.answer.pin is pin)), "")
 
 
 def _pin_why(pin: platform.Pin) -> str:

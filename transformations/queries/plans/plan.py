@@ -256,6 +256,7 @@ def as_findings(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[
         evidence |= {"done": True} if entry.done else {}
         if about and isinstance(entry, migration.PlanFinding):
             evidence |= next(({"component": e.title, "model_index": e.elementId} for e in _components(entry)), {})
+            evidence |= next(({"port": str(e.name)} for e in entry.elements if isinstance(e, migration.PortBinding)), {})
             if len(located := _located(entry)) > 1 and not has_flow(entry):
                 evidence["places"] = [[e.line, e.column, e.endLine, e.endColumn] for e in located]
         result.append(
