@@ -1,8 +1,11 @@
 """The directives in assembler text that a compiler has made of a program: only those that compilers write are let through.
 
-The text may hold more than the compiler's own: assembler statements of the program, and the names and sections that it gives,
-which a compiler copies as they are. Directives that read another file (`.incbin`, `.include`), or that could make such a
-directive from parts (`.macro`, `.irp`), are refused before the assembler runs.
+The text may hold more than the compiler's own: assembler statements of the program, and the names, sections, identifications and
+file names that it gives, which a compiler copies as they are. Directives that read another file (`.incbin`, `.include`), or that
+could make such a directive from parts (`.macro`, `.irp`), are refused before the assembler runs.
+
+The assembler reads quotes in its own way: behind `.type x,` it takes one away, and the text ends at the next semicolon. So quotes
+are refused but in the few forms in which compilers write them, each a line of its own.
 """
 
 from __future__ import annotations
@@ -19,17 +22,21 @@ _DIRECTIVES = (
     r"|4byte|quad|8byte|octa|float|single|double|tfloat|ascii|asciz|string|uleb128|sleb128|symver|subsection|code32|cfi_\w+)"
 )
 _OPERANDS = r"[-\w.$,+@%()*: \t]*"
-_ORDINARY = re.compile(
-    rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]{_OPERANDS}(?:{_TEXT}[\w.,@% \t]*)?)?|[a-z]\w*(?:[ \t]{_OPERANDS})?)?", re.ASCII
-)
+_ORDINARY = re.compile(rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]{_OPERANDS})?|[a-z]\w*(?:[ \t]{_OPERANDS})?)?", re.ASCII)
 """Nearly every line of a compiler; what others say is looked at statement by statement."""
-_STATEMENT = re.compile(rf'(?:{_TEXT}|[^"#;])*')
-_LABEL = re.compile(rf"[ \t]*(?:{_NAME}|{_TEXT})[ \t]*:", re.ASCII)
+_QUOTED = re.compile(
+    rf"[ \t]*(?:\.(?:ascii|asciz|string|ident)[ \t]+{_TEXT}"
+    rf"|\.file[ \t]+(?:\d+[ \t]+)?{_TEXT}(?:[ \t]+{_TEXT})?(?:[ \t]+md5[ \t]+0x[\da-f]+)?"
+    rf'|\.(?:push)?section[ \t]+[-\w.$\x80-\xff]+,[ \t]*"[\w?]*"(?:,[@%]\w+(?:,{_NAME})*)?'
+    r'|#[ \t]*\d+[ \t]+"[^"\\;]*"[ \t\d]*)[ \t]*',  # a place in the program, as comment
+    re.ASCII,
+)
+"""The lines with quotes."""
+_LABEL = re.compile(rf"[ \t]*{_NAME}[ \t]*:", re.ASCII)
 _ASSIGNMENT = re.compile(rf"[ \t]*{_NAME}[ \t]*=", re.ASCII)
 _WORD = re.compile(r"[ \t]*(?:(\.?[A-Za-z_\d][\w.]*)|$)", re.ASCII)
-_QUOTED = re.compile(_TEXT)
 _NEVER = re.compile(r"\.\s*(?:incbin|include|macro|irpc?|rept|altmacro)\b", re.ASCII | re.IGNORECASE)
-_SIGNS = ("'", "/*", "\\", "\r", "\f", "\v", "\0")
+_SIGNS = ('"', "'", "/*", "\\", "\r", "\f", "\v", "\0")
 """Signs with which the assembler would read the rest of a line in another way than here."""
 
 
@@ -44,42 +51,34 @@ def check_directives(text: str) -> None:
     """
     suspicious = _NEVER.search(text) is not None
     for line in text.split("\n"):
-        if suspicious or not _ORDINARY.fullmatch(line):
+        if (suspicious or not _ORDINARY.fullmatch(line)) and not _QUOTED.fullmatch(line):
             _check_line(line)
 
 
 def _check_line(line: str) -> None:
-    at = 0
-    while True:
-        found = _STATEMENT.match(line, at)
-        assert found is not None
-        _check_statement(found[0])
-        at = found.end() + 1
-        if at > len(line) or line[at - 1] == "#":  # the rest is a comment
-            return
-        if line[at - 1] == '"':  # a text that does not end in its line
-            raise _refused('"')
+    if never := _NEVER.search(line):
+        raise refused(never[0])
+    for sign in _SIGNS:
+        if sign in line:
+            raise refused(sign)
+    for statement in line.partition("#")[0].split(";"):  # the rest is a comment
+        _check_statement(statement)
 
 
 def _check_statement(statement: str) -> None:
-    bare = _QUOTED.sub('""', statement)
-    for sign in _SIGNS:
-        if sign in bare:
-            raise _refused(sign)
-    if never := _NEVER.search(bare):
-        raise _refused(never[0])
-    while label := _LABEL.match(bare):
-        bare = bare[label.end() :]
-    if _ASSIGNMENT.match(bare):
+    while label := _LABEL.match(statement):
+        statement = statement[label.end() :]
+    if _ASSIGNMENT.match(statement):
         return
-    word = _WORD.match(bare)
+    word = _WORD.match(statement)
     if word is None:
-        raise _refused(bare)
+        raise refused(statement)
     if word[1] and word[1].startswith(".") and not re.fullmatch(_DIRECTIVES, word[1], re.ASCII):
-        raise _refused(word[1])
+        raise refused(word[1])
 
 
-def _refused(what: str) -> VerificationError:
+def refused(what: str) -> VerificationError:
+    """The error for assembler text that is not compiled."""
     return VerificationError(
         f"the program has assembler text that cannot be compiled on this machine: {what.strip()!r}",
         fix="remove assembler text from the program",

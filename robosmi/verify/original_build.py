@@ -18,7 +18,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.assembler_text import check_directives
+from robosmi.verify.assembler_text import check_directives, refused
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.joined_objects import Counters, elf_at, joined, read_tool_file, rename
 from robosmi.verify.linked_names import PROGRAM_DATA, AllowedNames, check_linked, library_names, names_of
@@ -180,11 +180,18 @@ class _Build(Struct, dict=True):
         text, used = target.with_suffix(".s"), target.with_suffix(".d")
         prefix = f"-fmacro-prefix-map={source.parent}/="  # of __FILE__
         self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", "-x", _language(source), str(source), "-o", str(text))
+        included = self._files_of(used)
         if self.only is not None:
-            rule = read_tool_file(used).decode("utf-8", "surrogateescape")
-            check_used(used_files(rule, self.folder), self.only, (self.folder, *self.model.headers))
+            check_used(included, self.only, (self.folder, *self.model.headers))
         check_directives(read_tool_file(text).decode("latin-1"))
-        self._run("command", *self._flags("machine"), "-c", str(text), "-o", str(target))
+        read = [word for each in ("--MD", str(used)) for word in ("-Xassembler", each)]
+        self._run("command", *self._flags("machine"), *read, "-c", str(text), "-o", str(target))
+        for path in self._files_of(used):  # it also lists the names of sources in the text, which it does not open
+            if path not in (text, self.folder / source.name, *included):
+                raise refused(path.name)
+
+    def _files_of(self, rule: Path) -> list[Path]:
+        return list(used_files(read_tool_file(rule).decode("utf-8", "surrogateescape"), self.folder))
 
     # ---- the model, compiled once
 
