@@ -561,6 +561,7 @@ class _Parser(Builder):
     def declare(self, prefix: str | None, uri: str | None) -> None:
         """A prefix gets a namespace."""
         self.prefixes.setdefault(prefix or "", []).append(uri or "")
+        self.document.prefixes.setdefault(prefix or "", uri or "")
         self.types.clear()
         if uri and uri != XMI and XMI_NAMESPACES.fullmatch(uri):
             self.expat.StartElementHandler = self.start = _renaming(self.start, uri)
