@@ -26,7 +26,7 @@ from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.ecore.metamodel_files import metamodel_files
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
-from robosmi.model.opening import driver_of
+from robosmi.model.opening import driver_of, opened_by
 from robosmi.model.xmi.open_files import Hook, OpenFiles
 from robosmi.model.xmi.saved_places import back_up_comments, texts_of
 
@@ -102,10 +102,10 @@ class Session:
         files = [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel)
         if files:
             more["metamodel"] = self.metamodel(*files)
-        opened = driver_of(Path(path), driver)
-        if opened is open_xmi:
+        driven = driver_of(Path(path), driver, bool(files))
+        if driven is open_xmi:
             more["open_files"] = self._files
-        model = opened(Path(path), name, **options, **more)
+        model = opened_by(driven, Path(path), name, **options, **more)
         self._models.append(model)
         return model
 
