@@ -23,7 +23,7 @@ from robosmi.files.files import read_input, write_atomic
 from robosmi.model.ecore.ecore_classes import PackageMaker
 from robosmi.model.ecore.ecore_loader import MetamodelReader
 from robosmi.model.ecore.metamodel import Metamodel
-from robosmi.model.ecore.metamodel_files import metamodel_files
+from robosmi.model.ecore.metamodel_files import means_ecore, metamodel_files
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
 from robosmi.model.opening import driver_of, opened_by
@@ -67,13 +67,14 @@ class Session:
         """The metamodel of .ecore files, and of those that they refer to: made by the first call, the same in all others.
 
         Args:
-            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order.
+            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order; `ecore` is Ecore.
 
         Raises:
             SourceError: a file cannot be read as XML.
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
-        described = self._reader.read(metamodel_files(paths))
+        files = [path for path in paths if not means_ecore(path)]
+        described = self._reader.read(metamodel_files(files))
         for source in dict.fromkeys(package.source for package in described):
             digest = _digest(source)
             if self._digests.setdefault(source, digest) != digest:
@@ -81,7 +82,8 @@ class Session:
                     "the metamodel has changed since this session read it",
                     location=Location(str(source)), fix="open the models again in a new session",
                 )  # fmt: skip
-        return Metamodel(self._maker.make(described))
+        own = Metamodel.ecore().packages if len(files) < len(paths) else []
+        return Metamodel([*self._maker.make(described), *own])
 
     def open_model(
         self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: V

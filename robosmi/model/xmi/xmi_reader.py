@@ -285,12 +285,13 @@ class _Reader:
             self.problems.append((Location(place, line), text))
 
         def foreign(line: int, text: str, uri: str) -> None:
-            self.odd.add(
-                FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
+            fix = (
+                "give the metamodel of that namespace, if there is one" if uri else "none is needed: it stays as text in the file"
             )
+            self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
 
         if is_json(path) or is_yaml(path):
-            return parse_json(path, data, self.plans, self.package, problem)
+            return parse_json(path, data, self.plans, self.package, problem, None if self.strict else foreign)
         return parse(
             path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, None if self.strict else foreign
         )  # fmt: skip
