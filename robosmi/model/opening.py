@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib.util import find_spec
+from inspect import Parameter, signature
 from pathlib import Path
 from typing import TypeVar
 
@@ -67,17 +68,41 @@ def open_model(path: str | Path, driver: str | None = None, name: str | None = N
         ModelError: it contradicts its metamodel.
     """
     file = Path(path)
-    return driver_of(file, driver)(file, name, **options)
+    return opened_by(driver_of(file, driver, "metamodel" in options), file, name, **options)
 
 
-def driver_of(file: Path, driver: str | None = None) -> Callable[..., Model]:
+def opened_by(opener: Callable[..., Model], file: Path, name: str | None, **options: V) -> Model:
+    """The model of a file by its driver.
+
+    Raises:
+        UsageError: the driver does not take one of the options.
+    """
+    taken = signature(opener.driver.function if isinstance(opener, _OfPlugin) else opener).parameters
+    known = [key for key, each in taken.items() if each.kind in (Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY)][2:]
+    wrong = [key for key in options if key not in known]
+    if wrong and not any(each.kind is Parameter.VAR_KEYWORD for each in taken.values()):
+        public = [key for key in known if key != "open_files"]
+        raise UsageError(
+            f"the driver of '{file.name}' takes no option '{wrong[0]}'{did_you_mean(wrong[0], public)}",
+            fix=f"omit it, or name another driver; this one takes {', '.join(public) or 'no options'}",
+        )
+    return opener(file, name, **options)
+
+
+def driver_of(file: Path, driver: str | None = None, has_metamodel: bool = False) -> Callable[..., Model]:
     """What opens a file: by the driver's name, else by the file.
+
+    Args:
+        file: the file or folder.
+        driver: the driver's name, or None.
+        has_metamodel: whether a metamodel is given with it, so that XML which no plug-in takes is XMI.
 
     Raises:
         UsageError: there is no such driver.
         SourceError: no driver takes the file, or it cannot be read.
     """
-    return _driver(_key_of(file, driver))
+    key = _key_of(file, driver)
+    return _driver("emf" if has_metamodel and driver is None and key in ("xml", ".xml") else key)
 
 
 def code_of_driver(file: Path, driver: str | None = None) -> list[Path]:
@@ -145,10 +170,13 @@ class _OfPlugin(Struct, frozen=True):
         return model
 
 
+_XMI = (b"http://www.omg.org/XMI", b"http://www.omg.org/spec/XMI/", b"http://schema.omg.org/spec/XMI/")
+
+
 def _by_content(file: Path) -> str | None:
     from robosmi.files.files import read_input
 
     start = read_input(file, "model", inputs.MODEL)[:2000]
-    if b"http://www.omg.org/XMI" in start:
+    if any(namespace in start for namespace in _XMI):
         return "emf"
     return "xml" if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else None

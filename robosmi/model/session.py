@@ -23,10 +23,10 @@ from robosmi.files.files import read_input, write_atomic
 from robosmi.model.ecore.ecore_classes import PackageMaker
 from robosmi.model.ecore.ecore_loader import MetamodelReader
 from robosmi.model.ecore.metamodel import Metamodel
-from robosmi.model.ecore.metamodel_files import metamodel_files
+from robosmi.model.ecore.metamodel_files import means_ecore, metamodel_files
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel, open_xmi
-from robosmi.model.opening import driver_of
+from robosmi.model.opening import driver_of, opened_by
 from robosmi.model.xmi.open_files import Hook, OpenFiles
 from robosmi.model.xmi.saved_places import back_up_comments, texts_of
 
@@ -67,13 +67,14 @@ class Session:
         """The metamodel of .ecore files, and of those that they refer to: made by the first call, the same in all others.
 
         Args:
-            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order.
+            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order; `ecore` is Ecore.
 
         Raises:
             SourceError: a file cannot be read as XML.
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
-        described = self._reader.read(metamodel_files(paths))
+        files = [path for path in paths if not means_ecore(path)]
+        described = self._reader.read(metamodel_files(files))
         for source in dict.fromkeys(package.source for package in described):
             digest = _digest(source)
             if self._digests.setdefault(source, digest) != digest:
@@ -81,7 +82,8 @@ class Session:
                     "the metamodel has changed since this session read it",
                     location=Location(str(source)), fix="open the models again in a new session",
                 )  # fmt: skip
-        return Metamodel(self._maker.make(described))
+        own = Metamodel.ecore().packages if len(files) < len(paths) else []
+        return Metamodel([*self._maker.make(described), *own])
 
     def open_model(
         self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: V
@@ -102,10 +104,10 @@ class Session:
         files = [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel)
         if files:
             more["metamodel"] = self.metamodel(*files)
-        opened = driver_of(Path(path), driver)
-        if opened is open_xmi:
+        driven = driver_of(Path(path), driver, bool(files))
+        if driven is open_xmi:
             more["open_files"] = self._files
-        model = opened(Path(path), name, **options, **more)
+        model = opened_by(driven, Path(path), name, **options, **more)
         self._models.append(model)
         return model
 

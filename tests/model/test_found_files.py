@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.chain import read_chain
-from robosmi.errors import RobosmiError, SourceError
+from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.model import Metamodel, Session, open_model
 from robosmi.query import ModelView
 from tests.running import run
@@ -64,3 +64,26 @@ def test_files_that_are_no_models_are_called_what_they_are(name: str, tmp_path: 
     if name == "a.emf":
         with pytest.raises(SourceError, match="Emfatic"):
             Metamodel.load(tmp_path / name)
+
+
+def test_a_metamodel_makes_xml_of_an_unknown_ending_a_model(folder: Path) -> None:
+    metamodel = folder / "models" / "g.ecore"
+    text = (folder / "ok.xmi").read_text().replace("http://www.omg.org/XMI", "http://www.omg.org/spec/XMI/20131001")
+    for name, head in (
+        ("a.uml", text),
+        ("b.amxmi", text.replace(" xmi:version", " version").replace("http://www.omg", "urn:")),
+        ("c.xml", text),
+    ):
+        (folder / name).write_text(head.replace(' version="2.0"', "") if name[0] == "b" else head)
+        assert len(Session().open_model(folder / name, metamodel=metamodel).Node.all) == 2
+        assert len(open_model(folder / name, metamodel=metamodel).Node.all) == 2
+        assert run("diff", folder / name, folder / "ok.xmi", "--metamodel", metamodel, "--json").result["equal"]
+
+
+def test_an_option_that_the_driver_does_not_take_is_refused(folder: Path) -> None:
+    (folder / "t.csv").write_text("a,b\n1,2\n")
+    for open_it in (open_model, Session().open_model):
+        with pytest.raises(UsageError, match="takes no option 'metamodel'"):
+            open_it(folder / "t.csv", metamodel=folder / "models" / "g.ecore")
+        with pytest.raises(UsageError, match="did you mean 'strict'"):
+            open_it(folder / "ok.xmi", metamodel=folder / "models" / "g.ecore", strikt=True)

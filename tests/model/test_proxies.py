@@ -93,14 +93,31 @@ def test_foreign_fragments_stay_and_a_hook_resolves_them(folder: Path) -> None:
     resolved: Any = Session(resolve=by_name).open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
     assert (resolved.Edge.all[0].source.name, rules(resolved), asked) == ("n1", [], [("n1?type=Node", "ok.xmi")])
     assert list(resolved.Node.all[0].out) == resolved.Edge.all
+    resolved.save()
+    assert (folder / "ok.xmi").read_text() == foreign
+    resolved.Edge.all[0].name = "renamed"
+    resolved.save()
+    assert (folder / "ok.xmi").read_text() == foreign.replace('"e"', '"renamed"')
+    resolved.Edge.all[0].source = resolved.Node.all[1]
+    resolved.save()
+    assert 'source="//@groups.0/@nodes.1"' in (folder / "ok.xmi").read_text()
 
 
 @pytest.mark.parametrize("uri", ["pathmap://LIB/", "platform:/plugin/org.lib/", "http://example.org/models/"])
 def test_uris_are_mapped_to_files(folder: Path, uri: str) -> None:
     (folder / "w.xmi").write_text((folder / "w.xmi").read_text().replace("ok.xmi", f"{uri}ok.xmi"))
     assert rules(opened(folder, "w.xmi")) == [("RS609", 4)]
-    model: Any = Session(uris={uri: folder}).open_model(folder / "w.xmi", metamodel=folder / "g.ecore")
+    before = {file: file.read_bytes() for file in folder.glob("*.xmi")}
+    session = Session(uris={uri: folder})
+    model: Any = session.open_model(folder / "w.xmi", metamodel=folder / "g.ecore")
     assert (model.Edge.all[0].source.name, rules(model)) == ("n2", [])
+    assert session.save_all() == []
+    model.save()
+    assert {file: file.read_bytes() for file in before} == before
+    node = model.Edge.all[0].source
+    node.group.nodes.insert(0, model.Node(name="first"))
+    session.save_all()
+    assert f'href="{uri}ok.xmi#//@groups.0/@nodes.2"' in (folder / "w.xmi").read_text()
 
 
 def test_a_place_in_a_workspace_is_found_above_the_file(folder: Path) -> None:

@@ -166,3 +166,28 @@ def test_of_many_namespaces_a_message_names_the_nearest(folder: Path) -> None:
     fix = str(error.value.fix)
     assert fix.endswith(", and 16 more")
     assert fix.count("http://example.org/") == 5
+
+
+@pytest.mark.parametrize(
+    "form", ['one="s:B o.xmi#o"', 'many="s:B o.xmi#o s:B o.xmi#o2"', 'one="s:C o.xmi#c"', 'part="s:C o.xmi#c"']
+)
+def test_the_type_that_stands_before_a_reference_is_no_change(form: str, tmp_path: Path) -> None:
+    shutil.copytree(CASES.parent / "subtypes", tmp_path, dirs_exist_ok=True)
+    file = tmp_path / "t.xmi"
+    file.write_text(before := file.read_text().replace('id="r"', f'id="r" {form}'))
+    session = Session()
+    model: Any = session.open_model(file, metamodel=tmp_path / "s.ecore")
+    assert (model.findings, session.save_all()) == ([], [])
+    model.save()
+    assert file.read_text() == before
+    model.A.all[1].id = "r3"
+    model.save()
+    assert file.read_text() == (edited := before.replace('"r2"', '"r3"'))
+    root = model.roots[0]
+    root.one = root.part = None
+    root.many.clear()
+    model.save()
+    assert file.read_text() == edited.replace(f" {form}", "")
+    root.one = model.A.all[1]
+    model.save()
+    assert file.read_text() == edited.replace(form, 'one="r3"')

@@ -59,7 +59,8 @@ class Metamodel(Metamodels):
         """Read .ecore files, and those that they refer to.
 
         Args:
-            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order.
+            paths: the files, folders or patterns (`models/*.ecore`); their packages come first, in this order. `ecore`, or
+                Ecore's URI, is Ecore itself.
 
         Raises:
             SourceError: a file cannot be read as XML.
@@ -67,9 +68,11 @@ class Metamodel(Metamodels):
         """
         from robosmi.model.ecore.ecore_classes import make_packages
         from robosmi.model.ecore.ecore_loader import load_metamodels
-        from robosmi.model.ecore.metamodel_files import metamodel_files
+        from robosmi.model.ecore.metamodel_files import means_ecore, metamodel_files
 
-        return cls(make_packages(load_metamodels(metamodel_files(paths))))
+        files = [path for path in paths if not means_ecore(path)]
+        own = cls.ecore().packages if len(files) < len(paths) else []
+        return cls([*make_packages(load_metamodels(metamodel_files(files))), *own])
 
     @classmethod
     def ecore(cls) -> Metamodel:

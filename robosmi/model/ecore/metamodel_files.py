@@ -10,6 +10,7 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.model.elements.datatypes import ECORE_URI
 
 _OTHER_NOTATIONS = {
     ".emf": "an Emfatic text",
@@ -18,6 +19,11 @@ _OTHER_NOTATIONS = {
     ".uml": "a UML model",
     ".xsd": "an XML schema",
 }
+
+
+def means_ecore(given: str | Path) -> bool:
+    """Whether a metamodel that is named is Ecore itself, by its name or URI, and no file."""
+    return str(given) in ("ecore", ECORE_URI, str(Path(ECORE_URI))) and not Path(given).exists()
 
 
 def metamodel_files(given: Iterable[str | Path]) -> list[Path]:

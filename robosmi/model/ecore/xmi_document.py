@@ -57,6 +57,8 @@ class Document(Struct):
         parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
         counted: elements whose class bounds the number of values, with their lines.
         schema_locations: namespaces and the places of their metamodels (xsi:schemaLocation), as the file has them.
+        prefixes: namespace prefixes -> the first namespace of each.
+        named: the URIs of elements that lie elsewhere -> the qualified names of their types that stand before them.
         types: the URIs of elements that lie elsewhere -> the Python classes that the file names for them.
         findings: what is odd in the files that were read together; of the first one only.
         digest: that of its bytes.
@@ -70,6 +72,8 @@ class Document(Struct):
     parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
     counted: list[tuple[EObject, ClassPlan, int]] = []
     schema_locations: list[tuple[str, str]] = []
+    prefixes: dict[str, str] = {}
+    named: dict[str, str] = {}
     types: dict[str, type] = {}
     findings: list[Finding] = []
     digest: str = ""

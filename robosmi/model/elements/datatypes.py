@@ -214,6 +214,14 @@ def _write_date(value: Scalar) -> str:
     return f"{moment:%Y-%m-%dT%H:%M:%S}.{moment.microsecond // 1000:03d}{moment:%z}"
 
 
+def _read_unlimited(text: str) -> int:
+    return -1 if text == "*" else _bits(32)[0](text)
+
+
+def _write_unlimited(value: Scalar) -> str:
+    return "*" if value == -1 else _bits(32)[1](value)
+
+
 def _text(value: Scalar) -> str:
     if isinstance(value, str):
         return value
@@ -246,12 +254,13 @@ _CONVERTERS: dict[str, tuple[FromText, ToText]] = {
     "char": (_read_character, _write_character), "java.lang.Character": (_read_character, _write_character),
     "EByteArray": (_read_bytes, _write_bytes), "byte[]": (_read_bytes, _write_bytes),
     "EDate": (_read_date, _write_date), "java.util.Date": (_read_date, _write_date),
-    "EJavaObject": (_no_text, _no_text),
+    "EJavaObject": (_no_text, _no_text), "UnlimitedNatural": (_read_unlimited, _write_unlimited),
 }  # fmt: skip
 _DEFAULTS: dict[str, Any] = {
-    "EShort": 0, "EByte": b"\0", "EChar": "\0", "EInt": 0, "ELong": 0, "EDouble": 0.0, "EFloat": 0.0, "EBoolean": False,
+    "UnlimitedNatural": 0, "EShort": 0, "EByte": b"\0", "EChar": "\0", "EInt": 0, "ELong": 0, "EDouble": 0.0, "EFloat": 0.0, "EBoolean": False,
     "int": 0, "long": 0, "short": 0, "byte": 0, "double": 0.0, "float": 0.0, "boolean": False, "char": "\0",
 }  # fmt: skip
+_TYPES_OF_UML = re.compile(r"http://www\.eclipse\.org/uml2/[0-9.]+/Types")
 FEATURE_MAP = "EFeatureMapEntry"
 
 
@@ -279,6 +288,8 @@ def _key(datatype: EDataType) -> str:
     package = datatype.ePackage
     if package is None or package.nsURI == ECORE_URI:
         return str(datatype.name)
+    if datatype.name == "UnlimitedNatural" and _TYPES_OF_UML.fullmatch(str(package.nsURI)):
+        return "UnlimitedNatural"
     return str(datatype.instanceClassName or "")
 
 

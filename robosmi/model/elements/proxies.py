@@ -14,10 +14,16 @@ from urllib.parse import quote, unquote
 
 from msgspec import Struct
 
+from robosmi.errors import ModelError
 from robosmi.model.elements.compact_slots import prepare
 from robosmi.model.elements.ecore import EObject
+from robosmi.model.elements.fragments import fragment_of, own_id, resolve
+from robosmi.model.elements.home import home_of
+from robosmi.model.elements.structure import root_of
 
 _PLACE = "_proxy"
+AS_READ = "_as_read"
+"""Field of an element: its links whose own text is kept, by feature and the identity of their targets."""
 _ABSOLUTE = re.compile("[A-Za-z][A-Za-z0-9+.-]*:|/")
 
 
@@ -65,6 +71,49 @@ def uri_from(element: EObject, folder: Path | None) -> str:
         return place.uri
     moved = PurePath(os.path.relpath(os.path.join(os.path.realpath(place.folder), unquote(path)), here)).as_posix()
     return f"{quote(moved, safe='/@!$&,;=+()~')}{mark}{fragment}"
+
+
+def keep_link(owner: EObject, key: str, target: EObject, link: EObject | None, is_fixed: bool) -> None:
+    """Note that an element's reference to a target is written as the file has it, as long as it leads there.
+
+    Args:
+        owner: the element that refers.
+        key: the key of the reference's slot.
+        target: what was found for the reference.
+        link: the proxy that would stand for it, had it not been found; None if only the other side's file says it.
+        is_fixed: whether the fragment says nothing about the target's place, as a hook made of it what it likes.
+    """
+    kept = owner.__dict__.setdefault(AS_READ, {})
+    kept[key, id(target)] = [target, link, is_fixed]  # the target is held, so that its id stays its own
+
+
+def as_read(owner: EObject, key: str, target: EObject) -> EObject | None:
+    """What is written as the target of an element's reference: itself if no link to it is kept, None if nothing is."""
+    noted = owner.__dict__.get(AS_READ, {}).get((key, id(target)))
+    if noted is None:
+        return target
+    if not noted[2] and not _leads_to(uri := proxy_uri(noted[1]) or "", target):  # it has moved in its file
+        place: _Place = noted[1].__dict__[_PLACE]
+        moved = f"{uri.partition('#')[0]}#{fragment_of(target, _roots(target))}"
+        noted[1] = new_proxy(type(noted[1]).__mro__[1], moved, place.folder)
+    found: EObject | None = noted[1]
+    return found
+
+
+def _leads_to(uri: str, target: EObject) -> bool:
+    fragment = uri.partition("#")[2]
+    if not fragment.startswith("/"):
+        return own_id(target) in (fragment, unquote(fragment))
+    try:
+        return resolve(fragment, _roots(target)) is target
+    except ModelError:
+        return False
+
+
+def _roots(target: EObject) -> list[Any]:
+    outermost = root_of(target)
+    home = home_of(outermost)
+    return list(home.contents) if home is not None else [outermost]
 
 
 @cache

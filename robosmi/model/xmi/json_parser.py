@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.base.located_json import JsonError, LocatedJson, LocatedList, LocatedObject, located_json
 from robosmi.base.located_yaml import YamlError, located_yaml
 from robosmi.errors import did_you_mean
-from robosmi.model.ecore.xmi_document import Document, PackageOf, Problem, Unreadable
+from robosmi.model.ecore.xmi_document import Document, Foreign, PackageOf, Problem, Unreadable
 from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import AttributeValue, ReferenceValue, new_slot
 from robosmi.model.elements.datatypes import ECORE_URI
@@ -32,7 +32,9 @@ UUID = "uuid"
 _SHAPE = "give a model in the form of EMF-JSON, whose roots name their class: " + '{"eClass": "NAMESPACE#//CLASS"}'
 
 
-def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem) -> Document:
+def parse_json(
+    path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None
+) -> Document:
     """Build the elements of one file, in JSON or YAML by its name.
 
     Args:
@@ -41,6 +43,7 @@ def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, pro
         plans: the plans of this load.
         package_of: finds a package by its namespace.
         problem: is told line and text of every problem.
+        foreign: as for `xmi_parser.parse`.
 
     Raises:
         Unreadable: it is no JSON, or a root is no element of a known metamodel.
@@ -51,7 +54,7 @@ def parse_json(path: Path, data: bytes, plans: Plans, package_of: PackageOf, pro
         raise Unreadable(f"not well-formed JSON: {error}", error.line, "correct the file") from None
     except YamlError as error:
         raise Unreadable(f"not YAML of the kind that models have: {error}", error.line, "correct the file") from None
-    return _Parser(path, plans, package_of, problem).run(value)
+    return _Parser(path, plans, package_of, problem, foreign).run(value)
 
 
 class _Parser(Builder):
@@ -146,7 +149,7 @@ class _Parser(Builder):
                     known = [each for each in plan.entries if "}" not in each]
                     self.here(f"{plan.name} has no feature '{name}'{did_you_mean(name, known)}")
             elif entry.kind == REFUSED:
-                self.here(entry.message)
+                self.foreign(self.line, entry.message, "")
             elif entry.kind != IGNORED:
                 self.feature(element, plan, entry, value, inside)
         return inside

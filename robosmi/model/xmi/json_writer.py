@@ -19,7 +19,7 @@ from robosmi.model.elements import ecore
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import is_of_ecore
-from robosmi.model.elements.proxies import proxy_uri
+from robosmi.model.elements.proxies import as_read, proxy_uri
 from robosmi.model.elements.pyecore_internals import set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.json_parser import CLASS, ID, LINK
 from robosmi.model.xmi.written_file import WrittenFile
@@ -97,7 +97,10 @@ class _Writer(WrittenFile):
             elif column.kind == LINKS:
                 target = None if column.many else target_in(slot)
                 targets: Sequence[EObject] = list(slot) if column.many else [] if target is None else [target]
-                self.add(element, column, made, [self.link(element, column, real(each)) for each in targets])
+                links = [
+                    self.link(element, column, target) for each in targets if as_read(element, column.key, target := real(each))
+                ]
+                self.add(element, column, made, links)
             elif column.kind == VALUES:
                 self.add(element, column, made, [self.value(element, column, each) for each in slot])
             elif column.kind == VALUE:
@@ -183,7 +186,7 @@ class _Writer(WrittenFile):
 
     def link(self, element: EObject, column: Column, target: EObject) -> Json:
         """A reference, with the class of its target."""
-        file, fragment = self.place(element, column, target)
+        file, fragment = self.place(element, column, as_read(element, column.key, target) or target)
         if file and file != self.name:
             fragment = f"{relative(self.name, file)}#{fragment}"
         eclass = target.eClass if isinstance(target, ecore.EObject) else target.__class__.eClass

@@ -189,6 +189,8 @@ class _Merge:
             before, now = self.old.value(old, name), self.new.value(new, name)
             raw = self.file.data[start:end]
             last = raw[: len(raw) - len(raw.lstrip())]
+            if before is None and now is None and not self.same_children(name, old, new):
+                continue  # references that are an attribute in the file, and elements in what we write
             if before == now:
                 parts.append(raw)
             elif now is not None:
@@ -207,7 +209,8 @@ class _Merge:
         matched = self.matched(old, new)
         pending: dict[bytes, list[TextElement]] = {}
         for child in new.children:
-            pending.setdefault(child.tag, []).append(child)
+            if child.tag not in file.attributes or not self.same_children(child.tag, old, new):
+                pending.setdefault(child.tag, []).append(child)
         last_of = {child.local: child for child in file.children if id(child) in of_old}
         sample = file.children[0] if file.children else None
         indent = self.file.indent(sample) if sample is not None else self.file.indent(file) + b"  "
@@ -253,9 +256,14 @@ class _Merge:
             theirs = [child for child in file.children if child.local == tag]
             if len(ours) == len(theirs):
                 found |= {id(their): our for their, our in zip(theirs, ours, strict=True)}
-            elif [self.old.of(x) for x in ours] != [self.new.of(x) for x in new.children if x.tag == tag]:
+            elif (theirs or tag not in file.attributes) and not self.same_children(tag, old, new):
                 raise NotPreservedError
         return found
+
+    def same_children(self, tag: bytes, old: TextElement, new: TextElement) -> bool:
+        """Whether the children of a tag are the same before and now."""
+        before = [self.old.of(child) for child in old.children if child.tag == tag]
+        return before == [self.new.of(child) for child in new.children if child.tag == tag]
 
     def matched(self, old: TextElement, new: TextElement) -> dict[int, TextElement]:
         """The children as they were -> the same as they are."""

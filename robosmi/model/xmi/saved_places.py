@@ -215,6 +215,7 @@ def _as_written(path: Path, data: bytes, metamodels: Metamodels, target: Path) -
         return None
     try:
         locations = XmiLocations(models, None, target.parent)
+        locations.names_more_types = False  # what the target of a link turns out to be is no difference
         places = metamodel_places(path, document.schema_locations if document is not None else (), target)
         return text_with(target.name, models[target.name], locations, places)
     except ModelError:

@@ -18,6 +18,7 @@ from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue,
 from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
 from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
+from robosmi.model.elements.proxies import keep_link
 from robosmi.model.elements.pyecore_internals import (
     add_silently,
     contain,
@@ -34,6 +35,8 @@ from robosmi.model.xmi.xmi_locations import shown
 Problem = Callable[[Document, int, str], None]
 Missing: TypeAlias = "Callable[[Document, str, int, EObject, FeatureEntry, bool], DynamicEObject | None]"
 """Document, URI, line, owner and feature of a reference, whether that was told already -> what stands for its target."""
+Keeps: TypeAlias = "Callable[[Document, str, EObject, FeatureEntry, EObject], bool]"
+"""Document, URI, owner and feature of a reference, what it leads to."""
 Where: TypeAlias = "Document | Package"
 Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
 """Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
@@ -50,13 +53,17 @@ class XmiLinker:
         open_file: finds the document or package that a URI's file part names.
         problem: is told document, line and text of every problem.
         missing: gives what stands for a target that is not there; None if that is a problem.
+        keeps: says of a target that was found in another file whether the text of the link is kept.
     """
 
-    def __init__(self, open_file: Open, problem: Problem, missing: Missing | None = None) -> None:
+    def __init__(self, open_file: Open, problem: Problem, missing: Missing | None = None, keeps: Keeps | None = None) -> None:
         self.open_file = open_file
         self.problem = problem
         self.missing = missing
+        self.keeps = keeps
         self._found: dict[int, dict[str, DynamicEObject]] = {}
+        self._kept: set[tuple[int, int]] = set()
+        """Elements and targets of theirs whose links are kept."""
         self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
 
     def contain(self, document: Document) -> None:
@@ -110,11 +117,26 @@ class XmiLinker:
         """The URI of a single reference: an id may hold spaces, a type may stand before a URI of another file."""
         if text in document.ids:
             return [text]
-        return _without_types(text.split())
+        return self._without_types(document, text.split())
 
     def _several(self, document: Document, text: str) -> list[str]:
         parts = text.split()
-        return parts if ":" not in text else [p for p in parts if p in document.ids or not _TYPE.fullmatch(p)]
+        return parts if ":" not in text else self._without_types(document, parts)
+
+    @staticmethod
+    def _without_types(document: Document, parts: list[str]) -> list[str]:
+        """The URIs; the type that may stand before one is noted."""
+        found: list[str] = []
+        named = ""
+        for part in parts:
+            if len(parts) > 1 and part not in document.ids and _TYPE.fullmatch(part):
+                named = part
+                continue
+            if named:
+                document.named.setdefault(part, named)
+                named = ""
+            found.append(part)
+        return found
 
     # --- URIs
 
@@ -127,16 +149,26 @@ class XmiLinker:
             file, _, fragment = link.partition("#")
             where = self.open_file(document, file, line)
             if where is None:
-                return None if self.missing is None else self.missing(document, link, line, owner, entry, True)
+                return self._missing(document, link, line, owner, entry, True)
             found = resolve(where, fragment)
+            if found is not None and self.keeps is not None and self.keeps(document, link, owner, entry, found):
+                self._kept.add((id(owner), id(found)))
         else:
             found = resolve(document, link.removeprefix("#"))
         if found is None and self.missing is not None:
-            return self.missing(document, link, line, owner, entry, False)
+            return self._missing(document, link, line, owner, entry, False)
         if found is None:
             self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
         elif "#" not in link:
             self._found[id(document)][link] = found
+        return found
+
+    def _missing(
+        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, unread: bool
+    ) -> DynamicEObject | None:
+        found = None if self.missing is None else self.missing(document, link, line, owner, entry, unread)
+        if found is not None:
+            self._kept.add((id(owner), id(found)))
         return found
 
     # --- values
@@ -182,9 +214,12 @@ class XmiLinker:
                 if many:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
-                    add_silently(slot, owner)
+                    if add_silently(slot, owner) and (id(owner), id(target)) in self._kept:
+                        keep_link(target, key, owner, None, True)  # the target's own file does not say it
                 elif slot is None or target_in(slot) is None:
                     target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
+                    if (id(owner), id(target)) in self._kept:
+                        keep_link(target, key, owner, None, True)
                 elif target_in(slot) is not owner:  # a file that EMF wrote has both sides
                     other = shown(target_in(slot))
                     self._wrong(
@@ -231,10 +266,6 @@ def _move(many: Any, place: int) -> None:
     items = list(many)
     items.insert(place, items.pop())
     fill_silently(many, items)
-
-
-def _without_types(parts: list[str]) -> list[str]:
-    return [part for part in parts if not _TYPE.fullmatch(part)] if len(parts) > 1 else parts
 
 
 # --- fragments

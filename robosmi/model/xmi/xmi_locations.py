@@ -62,6 +62,8 @@ class XmiLocations:
         self, models: Mapping[str, Sequence[EObject]], neighbour: Neighbour | None = None, folder: Path | None = None
     ) -> None:
         self.folder = folder
+        self.names_more_types = True
+        """Whether a proxy's type is written though the declared class has elements; a target's own never is, by EMF's rule."""
         self._neighbour = neighbour
         self._known: dict[int, tuple[str, str]] = {}
         self.roots: dict[int, str] = {}

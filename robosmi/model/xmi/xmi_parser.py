@@ -40,7 +40,7 @@ from robosmi.model.elements.compact_slots import (
 )
 from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.ecore import DynamicEObject
-from robosmi.model.elements.features import class_in, class_names
+from robosmi.model.elements.features import class_in, class_names, is_of_ecore
 from robosmi.model.elements.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of, value_in
 from robosmi.model.elements.xmi_plan import (
     CHILD,
@@ -72,7 +72,7 @@ class Builder:
         plans: the plans of this load.
         package_of: finds a package by its namespace.
         problem: is told line and text of every problem.
-        foreign: is told line, text and namespace of what is of a namespace that no metamodel has; a problem if None.
+        foreign: as for `parse`.
     """
 
     def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None) -> None:
@@ -140,6 +140,8 @@ class Builder:
         """Whether elements of the class can be made; if not the problem is noted and the element skipped."""
         if plan.abstract:
             self.here(f"{plan.name} is abstract: the element needs an xsi:type")
+        elif plan.refused and is_of_ecore(plan.eclass):  # in annotations of other models, as a profile's definition is
+            self.foreign(self.expat.CurrentLineNumber, plan.refused, "")
         elif plan.refused:
             self.here(plan.refused)
             self.document.unsupported = True
@@ -199,7 +201,7 @@ class Builder:
             for part in text.split():
                 self.add_value(child, slots, plan.name, entry, part)
         elif entry.kind == REFUSED:
-            self.here(entry.message)
+            self.foreign(self.expat.CurrentLineNumber, entry.message, "")
         elif entry.kind != IGNORED:
             self.here(f"{plan.name}.{name} contains elements: it cannot be an attribute")
 
@@ -272,7 +274,8 @@ def parse(
         package_of: finds a package by its namespace.
         locations: is told the value of xsi:schemaLocation before any package is asked for.
         problem: is told line and text of every problem.
-        foreign: is told line, text and namespace of what is of a namespace that no metamodel has; a problem if None.
+        foreign: is told line, text and namespace of what is of a namespace that no metamodel has, or is computed (no
+            namespace); a problem if None.
 
     Raises:
         Unreadable: it is no XML, or no element of it is a model's.
@@ -450,7 +453,7 @@ class _Parser(Builder):
             return plan, entry if plan is not None else None
         elif entry.kind in (IGNORED, REFUSED):
             if entry.message:
-                self.here(entry.message)
+                self.foreign(self.expat.CurrentLineNumber, entry.message, "")
             self.skip()
         elif attributes.get(f"{XSI}}}nil") in ("true", "1"):
             if entry.kind == REFERENCE:
@@ -561,6 +564,7 @@ class _Parser(Builder):
     def declare(self, prefix: str | None, uri: str | None) -> None:
         """A prefix gets a namespace."""
         self.prefixes.setdefault(prefix or "", []).append(uri or "")
+        self.document.prefixes.setdefault(prefix or "", uri or "")
         self.types.clear()
         if uri and uri != XMI and XMI_NAMESPACES.fullmatch(uri):
             self.expat.StartElementHandler = self.start = _renaming(self.start, uri)

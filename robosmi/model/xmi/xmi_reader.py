@@ -25,7 +25,8 @@ from robosmi.model.elements.compact_slots import (
     collector_at_rest,
 )
 from robosmi.model.elements.ecore import DynamicEObject, EObject
-from robosmi.model.elements.proxies import new_proxy
+from robosmi.model.elements.features import class_in
+from robosmi.model.elements.proxies import keep_link, new_proxy
 from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
@@ -212,6 +213,7 @@ class _Reader:
         self._ecore_files: dict[Path, Any] = {}
         self._refused: set[Path] = set()
         self._opened: dict[tuple[Path, str], Any] = {}
+        self._mapped: set[tuple[Path, str]] = set()
 
     def sorted_problems(self) -> Problems:
         """The problems of each file in the order of its lines, files in the order in which they were opened."""
@@ -283,12 +285,13 @@ class _Reader:
             self.problems.append((Location(place, line), text))
 
         def foreign(line: int, text: str, uri: str) -> None:
-            self.odd.add(
-                FOREIGN, (place, uri), Location(place, line), text, "give the metamodel of that namespace, if there is one"
+            fix = (
+                "give the metamodel of that namespace, if there is one" if uri else "none is needed: it stays as text in the file"
             )
+            self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
 
         if is_json(path) or is_yaml(path):
-            return parse_json(path, data, self.plans, self.package, problem)
+            return parse_json(path, data, self.plans, self.package, problem, None if self.strict else foreign)
         return parse(
             path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, None if self.strict else foreign
         )  # fmt: skip
@@ -356,6 +359,7 @@ class _Reader:
             self.find,
             lambda document, line, text: self.problems.append((Location(str(document.path), line), text)),
             self.missing if not self.strict or (self.opened is not None and self.opened.hook is not None) else None,
+            self.keep_mapped,
         )
         opened = 0
         while opened < len(self.documents):
@@ -378,7 +382,10 @@ class _Reader:
         location = Location(str(document.path), line)
         found = ecore.EString.ePackage if uri == ecore.nsURI else self.package(uri)
         if found is None:
-            path = self.mapped(document.path, uri) or self._local(document.path, uri)
+            path = self.mapped(document.path, uri)
+            if path is not None:
+                self._mapped.add(key)
+            path = path or self._local(document.path, uri)
             if path is not None:
                 found = (self.opened.get(path) if self.opened is not None else None) or self.open(path, location)
             elif self.strict:
@@ -407,6 +414,7 @@ class _Reader:
         if self.opened is not None and self.opened.hook is not None:
             found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
             if found is not None:
+                keep_link(owner, entry.key, found, self.proxy(document, link, entry), True)
                 return found
         place, name = Location(str(document.path), line), f"{type(owner).__name__}.{entry.feature.name}"
         if self.strict:
@@ -416,8 +424,24 @@ class _Reader:
         kind = link.partition("#")[0] if "#" in link else ""
         if not unread:  # why its file was not read is told already
             self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX)
-        cls = document.types.get(link) or entry.declared.python_class
-        proxy: DynamicEObject = new_proxy(cls, link, document.path.parent)
+        return self.proxy(document, link, entry)
+
+    def keep_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
+        """Keep the text of a link whose file was found by a mapping: the file's own path says less than it."""
+        if (document.path, link.partition("#")[0]) not in self._mapped:
+            return False
+        keep_link(owner, entry.key, found, self.proxy(document, link, entry), False)
+        return True
+
+    def proxy(self, document: Document, link: str, entry: FeatureEntry) -> DynamicEObject:
+        """What stands for the target of a link, of the class that the file names, else of the feature's."""
+        cls = document.types.get(link)
+        if cls is None and (named := document.named.get(link)) is not None:
+            prefix, _, name = named.rpartition(":")
+            eclass = class_in(self.package(document.prefixes.get(prefix, "")), name)
+            if eclass is not None and entry.takes(eclass.python_class):
+                cls = self.plans.of(eclass).cls
+        proxy: DynamicEObject = new_proxy(cls or entry.declared.python_class, link, document.path.parent)
         return proxy
 
     def count(self) -> None:

@@ -17,7 +17,7 @@ from robosmi.model.elements.compact_slots import UNBOXED_TYPES, collector_at_res
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import as_package
-from robosmi.model.elements.proxies import proxy_uri
+from robosmi.model.elements.proxies import AS_READ, as_read, proxy_uri
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.written_file import WrittenFile
 from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column
@@ -179,7 +179,7 @@ class _Writer(WrittenFile):
                         if column.is_unsettable and not children:
                             later = self.nothing(element, column, None, append, indent, later)
                     elif kind == LINKS:
-                        if not column.many and (fragment := local.get(id(held(slot)))) is not None:
+                        if not column.many and (fragment := local.get(id(held(slot)))) is not None and AS_READ not in slots:
                             append(f'{column.start}{fragment}"')
                             continue
                         later = self.links(element, column, slot, append, indent, later)
@@ -329,6 +329,9 @@ class _Writer(WrittenFile):
         target = None if column.many else target_in(slot)
         many = slot.items if isinstance(slot, EOrderedSet) else slot
         targets: Sequence[EObject] = many if column.many else () if target is None else (target,)
+        if AS_READ in element.__dict__:
+            links = (as_read(element, column.key, real(each)) for each in targets)
+            targets = [link for link in links if link is not None]
         if column.upper > 1:
             self.limit(element, column, targets)
         local = self.local
@@ -356,7 +359,7 @@ class _Writer(WrittenFile):
     def href(self, element: EObject, column: Column, target: EObject, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
-        if column.names_types or proxy_uri(target) is not None:
+        if column.names_types or (self.places.names_more_types and proxy_uri(target) is not None):
             eclass = target.eClass if isinstance(target, ecore.EObject) else target.__class__.eClass
             if eclass is not column.declared:
                 self.uses_xsi = True
@@ -378,6 +381,8 @@ class _Writer(WrittenFile):
         if proxy_uri(child) is not None:
             return self.more(later, self.href(element, column, child, indent))
         self.check_container(element, column, child)
+        if AS_READ in element.__dict__ and (link := as_read(element, column.key, child)) not in (child, None):
+            return self.more(later, self.href(element, column, link, indent))
         if id(child) not in self.places.nested:
             eclass = child.eClass
             kind = ""
