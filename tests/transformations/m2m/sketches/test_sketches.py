@@ -315,3 +315,9 @@ def test_a_macro_in_a_file_of_its_own_follows_the_name_that_it_stands_for(tmp_pa
     assert migrated("renamed_macro", tmp_path).code in (0, 1)
     assert text(tmp_path, "renamed_macro/conf.h").splitlines()[-1] == "#define SHOWN index_"
     assert "int index_ = 3;" in text(tmp_path, "renamed_macro/renamed_macro.ino")
+
+
+def test_ports_that_only_a_person_names_are_bound_beside_the_proposed(tmp_path: Path) -> None:
+    outcome = migrated("flash_pins", tmp_path, "--bind", "D2=GP5", "--bind", "D4=GP6")
+    assert outcome.code == 0
+    assert re.search(r"\b5, +// 2:.*\n.*\n +6, +// 4:", text(tmp_path, "flash_pins/moved_pins.h"))
