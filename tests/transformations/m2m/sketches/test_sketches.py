@@ -321,3 +321,14 @@ def test_ports_that_only_a_person_names_are_bound_beside_the_proposed(tmp_path: 
     outcome = migrated("flash_pins", tmp_path, "--bind", "D2=GP5", "--bind", "D4=GP6")
     assert outcome.code == 0
     assert re.search(r"\b5, +// 2:.*\n.*\n +6, +// 4:", text(tmp_path, "flash_pins/moved_pins.h"))
+
+
+@pytest.mark.parametrize(
+    ("target", "pin", "lines"), [("pico", "GP16", [10]), ("mega", "D18", [10]), ("mega", "D2", []), ("nano", "D2", [])]
+)
+def test_a_number_of_an_interrupt_that_stays_is_a_task_where_its_port_has_another(
+    target: str, pin: str, lines: list[int], tmp_path: Path
+) -> None:
+    outcome = migrated("interrupts", tmp_path, "--bind", f"D2={pin}", target=target)
+    assert outcome.code in (0, 1)
+    assert [task["location"]["line"] for task in tasks(outcome, "RS346")] == lines
