@@ -172,12 +172,17 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
     to_write = sum(not task.done for task in Work(plan).write)
     left = [
         (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
-        (len(screen.shortages), "shortage", "on the board"),
+        (len(screen.shortages), "shortage", "on the board"), (_unbound(plan), "call", "of ports without a pin"),
     ]  # fmt: skip
     if needs := [f"{quantity(count, what)} {why}" for count, what, why in left if count]:
         return "needs-you", f"Needs you: {', '.join(needs)}"
     verdict = next((str(finding.rule) for finding in plan.findings if finding.rule in _RESULTS), "")
     return _RESULTS.get(verdict, ("not-verified", "Not verified: not compared with the original yet"))
+
+
+def _unbound(plan: migration.MigrationPlan) -> int:
+    """How many calls of a program whose platform stays do nothing, as no port that they may reach has a pin."""
+    return Work(plan).calls[WAITS] if retains_platform(plan) and not open_choices(plan) else 0
 
 
 _RESULTS = {
