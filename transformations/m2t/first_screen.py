@@ -173,8 +173,9 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
     conflicts = sum(task.rule == CONFLICT for task in waiting)
     to_write = len(waiting) - conflicts
     left = [
-        (conflicts, "conflict", "to solve"), (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
-        (len(screen.shortages), "shortage", "on the board"),
+        (conflicts, "conflict", "to solve"), (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"),
+        (errors, "error", "to correct"), (len(screen.shortages), "shortage", "on the board"),
+        (_unbound(plan), "call", "of ports without a pin"),
     ]  # fmt: skip
     if needs := [f"{quantity(count, what)} {why}" for count, what, why in left if count]:
         return "needs-you", f"Needs you: {', '.join(needs)}"
@@ -184,6 +185,13 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
 
 CONFLICT = "RS511"
 """The rule for a marked conflict between an edit and the generated text."""
+
+
+def _unbound(plan: migration.MigrationPlan) -> int:
+    """How many calls of a program whose platform stays do nothing, as no port that they may reach has a pin."""
+    return Work(plan).calls[WAITS] if retains_platform(plan) and not open_choices(plan) else 0
+
+
 _RESULTS = {
     "RS850": ("works", "Works: no difference found between the original and the sketch"),
     "RS851": ("needs-you", "Needs you: the sketch behaves differently from the original"),

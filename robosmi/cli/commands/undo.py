@@ -42,7 +42,12 @@ def run(arguments: _Arguments) -> Report:
         raise UsageError("--steps takes a number from 1, and no --list", fix="see the numbers with --list first")
     if arguments.list:
         found = steps(arguments.output)
-        report.result = {"steps": [{"number": step.number, "at": step.at or None, "run": step.run or None, "files": list(step.files)} for step in found]}
+        report.result = {
+            "steps": [
+                {"number": step.number, "at": step.at or None, "run": step.run or None, "files": list(step.files)}
+                for step in found
+            ]
+        }
         report.lines = [_line(step) for step in found]
         report.next = command_line("undo", arguments.output)
         return report

@@ -8,22 +8,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from msgspec.structs import replace
+
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
+from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
+from robosmi.transformations.queries.portability.pin_origins import PinOrigins
 
 _RULE = "argument-value"
 _OVERLOADED = frozenset(["print", "println"])
 
 
-def argument_values(sketch: MovedSketch) -> Iterator[SketchEdit]:
+def argument_values(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     """The edits of zeros that are written, of modes of interrupts, and of results that are whole numbers on the source board."""
     yield from _zeros(sketch)
     yield from _modes(sketch)
     yield from _whole_results(sketch)
+    yield from _interrupts(sketch)
 
 
 def _zeros(sketch: MovedSketch) -> Iterator[SketchEdit]:
@@ -50,6 +56,20 @@ def _modes(sketch: MovedSketch) -> Iterator[SketchEdit]:
             if isinstance(given, ccode.IntegerLiteral) and 0 <= int(given.value) < len(modes):
                 change = Replacement(int(given.startOffset), int(given.endOffset), modes[int(given.value)])
                 yield SketchEdit(given, _RULE, f"{given.value} is this mode on its own board", (change,))
+
+
+def _interrupts(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
+    """The numbers of interrupts that are those of the same pins there: they are wrong where a port gets another pin."""
+    here, there, origins = sketch.move.source.interrupts, sketch.move.target.interrupts, PinOrigins(sketch.views)
+    for view in sketch.views:
+        for call in (each for name in ("attachInterrupt", "detachInterrupt") for each in _called(view, name)):
+            if _owner(call) or not call.arguments or origins.made_by(call.arguments[0], view, "digitalPinToInterrupt"):
+                continue
+            numbers = {value.number for value in view.values.of(call.arguments[0])}
+            same = [pin for number, pin in here.items() if pin == there.get(number) and numbers & {None, number}]
+            if same:
+                told = sketch.place("interrupt_of_port", call, ", ".join(same))
+                yield replace(told, name=f"{expression_text(call.arguments[0])}: {told.name}")
 
 
 def _whole_results(sketch: MovedSketch) -> Iterator[SketchEdit]:

@@ -55,12 +55,12 @@ def bind_same_pins(
 
     Args:
         ports: the program's ports.
-        bindings: the decision for each port, in the same order.
+        bindings: the decision for each port, in the same order; those of ports that only a person has named follow.
         new: the board.
         connections: what is drawn on it.
     """
     taken = {id(binding.pin) for binding in bindings if binding.pin is not None}
-    for port, binding in zip(ports, bindings, strict=True):
+    for port, binding in zip(ports, bindings, strict=False):
         pin = _same(port, new) if binding.open and new.alike else None
         drawn = [c for c in connections if c.pin is pin] if pin is not None and id(pin) not in taken else []
         if pin is not None and len(drawn) == 1:
@@ -74,11 +74,11 @@ def propose_pins(ports: Sequence[Port], bindings: Sequence[migration.PortBinding
 
     Args:
         ports: the program's ports.
-        bindings: the decision for each port, in the same order.
+        bindings: the decision for each port, in the same order; those of ports that only a person has named follow.
         new: the board.
     """
     taken = {str(b.pin.label) for b in bindings if b.pin is not None}
-    waiting = [(port, binding) for port, binding in zip(ports, bindings, strict=True) if binding.open and port.pin is not None]
+    waiting = [(port, binding) for port, binding in zip(ports, bindings, strict=False) if binding.open and port.pin is not None]
     if new.alike:
         for port, binding in list(waiting):
             pin = _same(port, new)

@@ -21,6 +21,7 @@ from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.m2m.sketches.sketch_rules import RULES
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.macros.tokens import name_tokens
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS, PortabilityPlace
@@ -167,11 +168,18 @@ def place_findings(
         if change.unit is not None
     }
     moved = {
-        (str(unit.path), int(call.line))
+        (str(unit.path), int(call.line), expression_text(call.arguments[0]))
         for flow in plan.portFlows
         if flow.choice == "target"
         for call in flow.calls
+        if call.arguments and str(call.calleeName) in _INTERRUPTS
         if (unit := ancestor_of_kind(call, ccode.SourceUnit)) is not None
+    }
+    elsewhere = {
+        str(name)
+        for binding in plan.portBindings
+        for name in (binding.name, *binding.names)
+        if binding.pin is None or name not in (binding.pin.label, *binding.pin.aliases)
     }
     found = []
     for place in places:
@@ -182,7 +190,13 @@ def place_findings(
             what = " ".join([what.replace(place.name, names[0]), *told]) if names else ""
         elif place.kind == OF_NAMES and place.name not in left.get(at, [place.name]):
             continue  # a change for pins has replaced it
-        elif place.kind in OF_PINS and at in (moved if place.kind == BY_CALL else bound):
+        elif place.kind == BY_CALL and (*at, place.name) in moved:
+            continue
+        elif place.kind == OF_PORT:
+            given, _, labels = place.name.rpartition(": ")
+            if (*at, given) in moved or elsewhere.isdisjoint(labels.split(", ")):
+                continue
+        elif place.kind in OF_PINS and at in bound:
             continue
         if what:
             fix = f"write what it means there: {_text(sources, *at)}"
@@ -228,16 +242,19 @@ def _macro_lines(plan: migration.MigrationPlan) -> dict[str, set[tuple[str, int]
 OF_NAMES = "avr_libc_call"
 """The kind of places that are names of avr-libc; some take a register."""
 BY_CALL = "attach_interrupt_number"
+"""The kind of places that are told by their call: a flow of pins cures them."""
+OF_PORT = "interrupt_of_port"
+"""The kind of places that are right as long as their port keeps its pin."""
+_INTERRUPTS = frozenset(["attachInterrupt", "detachInterrupt"])
 OF_PINS = frozenset(
     {
-        BY_CALL,
         "analog_pin_number",
         "analog_pin_as_14_to_19",
         "analog_pin_above_A3",
         "pin_13",
     }
 )
-"""Kinds of places that are numbers and names of pins: the pins of the plan cure them. The first is told by its call."""
+"""Kinds of places that are numbers and names of pins: the pins of the plan cure them. """
 
 
 def _text(sources: Mapping[str, bytes], path: str, line: int) -> str:

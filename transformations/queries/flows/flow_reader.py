@@ -311,8 +311,12 @@ class FlowReader:
                 self._unseen_calls(element)
                 self._defaults(element)
             elif isinstance(element, ccode.Lambda):
+                known = _named_lambda(element.eContainer()) is element
                 for parameter in element.parameters:
-                    self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
+                    if not known:
+                        self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
+                    elif parameter.defaultValue is not None:
+                        self._give(self.key(parameter), parameter.defaultValue)
             elif isinstance(element, ccode.Assignment):
                 self._assignment(element)
             elif isinstance(element, ccode.Cast):
@@ -504,6 +508,12 @@ class FlowReader:
                 if pin.position < len(arguments):
                     self._pin(method[0], pin, call, view)
             return
+        callee = call.calleeExpression
+        named = _named_lambda(callee.target) if isinstance(callee, ccode.NameReference) else None
+        if named is not None:
+            for parameter, argument in zip(named.parameters, arguments, strict=False):
+                self._give(self.key(parameter), argument)
+            return
         if call.callee is None and call.calleeExpression is not None:
             for position, argument in enumerate(arguments):
                 self._give(("through a pointer", position), argument)
@@ -592,3 +602,13 @@ class FlowReader:
 def view_text(data: bytes, start: int, end: int) -> str:
     """The text of a byte range of a unit, without white space around it."""
     return data[start:end].decode("utf-8", errors="replace").strip()
+
+
+def _named_lambda(holder: Element | None) -> ccode.Lambda | None:
+    """The lambda that a variable always holds, if the variable is only called, so that its callers are known."""
+    made = holder.initializer if isinstance(holder, ccode.Variable) else None
+    if not isinstance(made, ccode.Lambda) or holder is None:
+        return None
+    uses = ((each, each.eContainer()) for each in holder.references)
+    called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
+    return made if called else None

@@ -12,6 +12,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import Q
 from robosmi.transformations.queries.plans.plan_adapters import closure, limits
 from robosmi.transformations.queries.plans.port_pins import NO_PIN, NOT_WIRED, PIN_RULE
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
 WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT = (
@@ -93,6 +94,8 @@ class CallStates:
     def counts(self) -> dict[str, int]:
         """How many calls are in each state, every state named, and `total`, their sum; those of macros at each place of use."""
         found = Counter(self.of(use, call) for use in self.plan.adapterUses for call in (*use.calls, *self._of_macros.of(use)))
+        if retains_platform(self.plan):  # without adapters; what is known of its calls is that some wait
+            found[WAITS] += len(self._waiting)
         return {"total": found.total(), **{state: found[state] for state in CALL_STATES}}
 
 

@@ -206,9 +206,12 @@ def interrupt_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Numbers of interrupts that mean another pin on the other board."""
     for view in seen.views:
         for call in _calls(view, kind):
-            for value in view.values.of(call.arguments[0]):
-                if value.number is not None and _other_interrupt(value.number, seen):
-                    yield At(view.unit, int(call.line)), str(value.number)
+            given = call.arguments[0]
+            numbers = {value.number for value in view.values.of(given)}
+            if None in numbers and seen.origins.made_by(given, view, "digitalPinToInterrupt"):
+                continue
+            if any(_other_interrupt(each, seen) for each in numbers):
+                yield At(view.unit, int(call.line)), expression_text(given)
 
 
 def _calls(view: CodeView, kind: PlaceKind) -> list[ccode.Call]:
@@ -216,9 +219,12 @@ def _calls(view: CodeView, kind: PlaceKind) -> list[ccode.Call]:
     return [call for call in found if not isinstance(call.calleeExpression, ccode.Member)]
 
 
-def _other_interrupt(number: int, seen: AnalysedProgram) -> bool:
-    here, there = seen.move.source.interrupts.get(number), seen.move.target.interrupts.get(number)
-    return here is None or here != there
+def _other_interrupt(number: int | None, seen: AnalysedProgram) -> bool:
+    """Whether a number means another pin there; one that the text does not tell does so if any of the source's does."""
+    here, there = seen.move.source.interrupts, seen.move.target.interrupts
+    if number is None:
+        return any(there.get(each) != pin for each, pin in here.items())
+    return number not in here or here[number] != there.get(number)
 
 
 def analog_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:

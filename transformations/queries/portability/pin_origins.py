@@ -6,6 +6,7 @@ value that is calculated has no origin; members are told apart by their names al
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
@@ -62,6 +63,30 @@ class PinOrigins:
             yield from self._of_member(str(expression.name), view, depth)
         elif isinstance(expression, ccode.NameReference):
             yield from self._of_name(expression, view, depth)
+
+    def made_by(self, expression: Element | None, view: CodeView, function: str, depth: int = 0) -> bool:
+        """Whether a value comes from a call of a function, directly or through a variable, a member or a parameter."""
+        if expression is None or depth > _DEEPEST:
+            return False
+        if isinstance(expression, ccode.Call):
+            return expression.calleeName == function
+        given: list[Element | None] = []
+        target = expression.target if isinstance(expression, ccode.NameReference) else None
+        if isinstance(expression, ccode.NameReference) and target is None:
+            macro = view.values.macros.get(str(expression.name))
+            return macro is not None and re.search(rf"\b{function}\b", str(macro.body or "")) is not None
+        if isinstance(expression, ccode.Member) or isinstance(target, ccode.Field):
+            given += self._members.get(str(expression.name), ())
+        elif isinstance(target, ccode.Variable):
+            written = (each.eContainer() for each in target.references)
+            given += [target.initializer, *(each.right for each in written if isinstance(each, ccode.Assignment))]
+        elif isinstance(target, ccode.Parameter):
+            given += [*passed_arguments(target), *self._constructed_with(target)]
+        elif isinstance(expression, ccode.InitializerList):
+            given += expression.elements
+        else:
+            given += [getattr(expression, "operand", None), getattr(expression, "array", None)]
+        return any(self.made_by(each, view, function, depth + 1) for each in given)
 
     def _of_name(self, reference: ccode.NameReference, view: CodeView, depth: int) -> Iterator[PinOrigin]:
         target = reference.target

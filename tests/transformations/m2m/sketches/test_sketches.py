@@ -315,3 +315,35 @@ def test_a_macro_in_a_file_of_its_own_follows_the_name_that_it_stands_for(tmp_pa
     assert migrated("renamed_macro", tmp_path).code in (0, 1)
     assert text(tmp_path, "renamed_macro/conf.h").splitlines()[-1] == "#define SHOWN index_"
     assert "int index_ = 3;" in text(tmp_path, "renamed_macro/renamed_macro.ino")
+
+
+def test_ports_that_only_a_person_names_are_bound_beside_the_proposed(tmp_path: Path) -> None:
+    outcome = migrated("flash_pins", tmp_path, "--bind", "D2=GP5", "--bind", "D4=GP6")
+    assert outcome.code == 0
+    assert re.search(r"\b5, +// 2:.*\n.*\n +6, +// 4:", text(tmp_path, "flash_pins/moved_pins.h"))
+
+
+@pytest.mark.parametrize(
+    ("target", "pin", "lines"), [("pico", "GP16", [10]), ("mega", "D18", [10]), ("mega", "D2", []), ("nano", "D2", [])]
+)
+def test_a_number_of_an_interrupt_that_stays_is_a_task_where_its_port_has_another(
+    target: str, pin: str, lines: list[int], tmp_path: Path
+) -> None:
+    outcome = migrated("interrupts", tmp_path, "--bind", f"D2={pin}", target=target)
+    assert outcome.code in (0, 1)
+    assert [task["location"]["line"] for task in tasks(outcome, "RS346")] == lines
+
+
+def test_what_calls_of_a_lambda_and_its_default_arguments_give_are_ports(tmp_path: Path) -> None:
+    outcome = migrated("lambdas", tmp_path, *(f"--bind=D{old}=GP{new}" for old, new in ((7, 2), (8, 3), (9, 4), (12, 5))))
+    assert outcome.code in (0, 1)
+    assert "out(2);\n  out(4);" in text(tmp_path, "lambdas/lambdas.ino")
+    table = text(tmp_path, "lambdas/moved_pins.h")
+    assert re.search(r" 3, +// 8:", table)
+    assert re.search(r" 5, +// 12:", table)
+
+
+def test_a_sketch_none_of_whose_ports_has_a_pin_is_not_ready(tmp_path: Path) -> None:
+    outcome = migrated("flash_pins", tmp_path)
+    assert outcome.result["plan"]["work"]["calls"]["waits_for_port"] == 3
+    assert "Needs you: 3 calls" in text(tmp_path, "flash_pins/MIGRATION.md")
