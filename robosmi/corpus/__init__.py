@@ -44,7 +44,7 @@ def run(
 
     Raises:
         SourceError: the specification cannot be read, or has a key or value that means nothing.
-        UsageError: there is no such step or state.
+        UsageError: there is no such step or state, or jobs is below 1.
     """
     from robosmi.corpus.notebook import begin  # a program that only opens stores needs none of it
 

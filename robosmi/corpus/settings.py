@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from robosmi.corpus.running import RunOptions
 from robosmi.corpus.spec import Spec, checked_steps
+from robosmi.errors import UsageError
 
 DEFAULT_STEPS = ("analyse",)
 
@@ -31,8 +32,10 @@ def options_of(
         models: whether models are kept; the specification may say so, too.
 
     Raises:
-        UsageError: there is no such step.
+        UsageError: there is no such step, or jobs is below 1.
     """
+    if jobs is not None and jobs < 1:
+        raise UsageError(f"jobs = {jobs} is no number of worker processes", fix="give at least 1")
     chosen = checked_steps(list(steps)) if steps is not None else spec.steps or DEFAULT_STEPS
     return RunOptions(chosen, jobs or cores(), scheduler, store, retry, models or spec.keep_models)
 

@@ -67,7 +67,7 @@ def run_here(
 ) -> Summary:
     """Run a corpus in this process: what each program results in is what a function says."""
 
-    def backend(jobs: Iterator[ProgramJob], _: Sequence[str]) -> Generator[ProgramResult, None, None]:
+    def backend(jobs: Iterator[ProgramJob], steps: Sequence[str]) -> Generator[ProgramResult, None, None]:
         yield from map(run_one, jobs)
 
     made = CorpusRun(read_spec(spec), out, RunOptions(tuple(steps)))

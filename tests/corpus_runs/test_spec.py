@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+import robosmi
 from robosmi.corpus.jobs import Limits
 from robosmi.corpus.programs import program_sources
 from robosmi.corpus.spec import checked_steps, read_spec
@@ -77,6 +78,11 @@ def test_steps_are_put_in_order() -> None:
     for wrong in (["nothing"], [], ["verify"]):
         with pytest.raises(UsageError):
             checked_steps(wrong)
+
+
+def test_no_worker_process(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="jobs = 0"):
+        robosmi.corpus.run(copied(tmp_path), tmp_path / "out", jobs=0)
 
 
 def test_two_programs_of_one_id_are_an_error_that_names_both(tmp_path: Path) -> None:
