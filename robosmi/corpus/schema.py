@@ -84,7 +84,7 @@ CALLS = Table(
     _column("line", Integer, "line of the call"),
     _column("path", Text, "file of the call"),
     _column("disposition", Text, "adapt, retain or unsupported after a migration; unknown if nothing declares it; else null"),
-    _column("has_body", Boolean, "whether an adapter with a body replaces it on the target"),
+    _column("has_body", Boolean, "whether an adapter with a body replaces it on the target; null if the platform stays"),
     comment="calls of the platform's functions, also through macros, and of functions that nothing known declares",
 )  # fmt: skip
 PINS = Table(
