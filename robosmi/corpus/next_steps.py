@@ -60,8 +60,8 @@ def greedy_cover(lacks: Iterable[tuple[str, str, str | None, int]], most: int) -
         best = _best(left, calls)
         for function in sorted(best, key=lambda each: (-calls[each], each[0], each[1] or "")):
             remaining: dict[frozenset[Function], list[str]] = defaultdict(list)
-            for functions, programs in left.items():
-                remaining[functions - {function}] += programs
+            for lacking, names in left.items():
+                remaining[lacking - {function}] += names
             frees = sorted(remaining.pop(frozenset(), ()))
             left = remaining
             freed += len(frees)

@@ -32,7 +32,8 @@ _NAMED = 5
 """Programs that a row names; the others are folded."""
 _LACKING = (
     "SELECT calls.program, function, header, count(*) FROM calls JOIN programs ON programs.id = calls.program "
-    "WHERE listed AND (has_body IS NULL OR NOT has_body) GROUP BY calls.program, function, header"
+    "WHERE listed AND (has_body IS NULL OR NOT has_body) "
+    "AND (disposition IS NULL OR disposition <> 'retain') GROUP BY calls.program, function, header"
 )
 _STOPPED = (
     "SELECT id FROM programs WHERE state NOT IN ('done', 'skipped') UNION SELECT program FROM compiles WHERE NOT ok OR NOT fits "

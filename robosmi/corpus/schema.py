@@ -86,8 +86,8 @@ CALLS = Table(
     _column("disposition", Text, "adapt, retain or unsupported after a migration; unknown if nothing declares it; else null"),
     _column(
         "has_body", Boolean,
-        "whether an adapter with a body replaces it on the target; null before a migration if no adapter of the function is "
-        "known, as for a sketch",
+        "whether an adapter with a body replaces it on the target; null if the platform stays, and before a migration if no "
+        "adapter of the function is known",
     ),
     comment="calls of the platform's functions, also through macros, and of functions that nothing known declares",
 )  # fmt: skip

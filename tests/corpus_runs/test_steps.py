@@ -30,3 +30,12 @@ def test_calls_and_pins_of_macros_headers_and_other_files_are_rows(step: Callabl
     assert {row["path"] for row in found["pins"]} == {str(folder / "main.c"), str(folder / "other.c")}
     for plan in found.get("plans", ()):
         assert (plan["call_sites"], plan["with_body"]) == (len(found["calls"]), 6)
+
+
+def test_calls_of_a_sketch_whose_platform_stays_are_rows(tmp_path: Path) -> None:
+    sketch = Path(shutil.copytree(HERE / "sketch", tmp_path / "sketch")) / "sketch.ino"
+    found = migrate_step(ProgramWork("sketch", str(sketch), output=str(tmp_path / "out")))
+    assert [(row["function"], row["disposition"], row["has_body"], row["path"]) for row in found["calls"]] == [
+        ("digitalWrite", "retain", None, str(sketch))
+    ]
+    assert [(row["pin"], row["function"]) for row in found["pins"]] == [(13, "digitalWrite")]

@@ -295,7 +295,7 @@ def migrate_step(work: ProgramWork) -> Rows:
             "with_body": sites["with_body"], "tasks": plan["tasks"], "open_choices": plan["open_choices"],
             "report": str(made.sketch / "MIGRATION.md"),
         }],
-        "calls": list(_calls_of(made.models.plan, places)),
+        "calls": list(_calls_of(made.models.plan, program.views, places)),
         "pins": list(_pins(program.views, ports, places)),
         "models": [
             {"kind": Path(name).stem, "path": str(output / name)} for name in sorted(made.contents)
@@ -309,8 +309,19 @@ def migrate_step(work: ProgramWork) -> Rows:
 _DISPOSITIONS = ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")
 
 
-def _calls_of(plan: migration.MigrationPlan, places: Mapping[str, str]) -> Iterator[Row]:
-    """The calls that adapters stand for, also those that macros make; `places`: stored path -> path as it was given."""
+def _calls_of(plan: migration.MigrationPlan, seen: Sequence[CodeView], places: Mapping[str, str]) -> Iterator[Row]:
+    """The calls that adapters stand for, also those that macros make; of a program whose platform stays, all of its calls.
+
+    Args:
+        plan: the plan.
+        seen: a view of each unit.
+        places: stored path -> path as it was given.
+    """
+    for view in seen if seen[0].api.sketch is not None else ():
+        for function in view.functions_of("platform"):
+            for call in (*function.calls, *function.made):
+                path = str(view.unit.path)
+                yield _call(function.name, function.header, int(call.line), places.get(path, path), "retain", None)
     of_macros = MacroCalls(plan)
     for use in plan.adapterUses:
         status = use.status.name

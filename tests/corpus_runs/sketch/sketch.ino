@@ -1,0 +1,5 @@
+#define LED 13
+
+void setup() {}
+
+void loop() { digitalWrite(LED, HIGH); }
