@@ -230,7 +230,13 @@ class Undoing(Struct):
         run = self.taken[0].get(REDO)
         before = as_text(self.redone.get("run", "")) if self.redone is not None else ""
         name = "; ".join([*self.names(), *([before] if before else [])])
-        return {**state, "at": self.taken[0].get("at", ""), "run": name, "earlier": _kept(self.left), **({} if run else {REDO: True})}
+        return {
+            **state,
+            "at": self.taken[0].get("at", ""),
+            "run": name,
+            "earlier": _kept(self.left),
+            **({} if run else {REDO: True}),
+        }
 
 
 def _over(changes: Sequence[Mapping[str, Json]]) -> Record:

@@ -161,7 +161,13 @@ def choose(
             settings = load_project(place)
             change = _project_change(models, chosen, place, settings, folder)
         made = produce(
-            models, folder, inputs={STORED: data}, outside=change.files, dry_run=dry_run, diff=True, unchanged=unchanged,
+            models,
+            folder,
+            inputs={STORED: data},
+            outside=change.files,
+            dry_run=dry_run,
+            diff=True,
+            unchanged=unchanged,
             run=f"choose {' '.join(f'{name}={value}' for name, value in chosen.items())}",
         )
     if change.stays:

@@ -498,9 +498,7 @@ def migrate(
         models.notes += adopted.notes
         beyond = outside() if outside is not None else {}
         run_name = f"migrate {' '.join(Path(file).absolute().name for file in files)}"
-        made = produce(
-            models, Path(output), inputs=adopted.inputs, outside=beyond, dry_run=dry_run, strict=strict, run=run_name
-        )
+        made = produce(models, Path(output), inputs=adopted.inputs, outside=beyond, dry_run=dry_run, strict=strict, run=run_name)
     if made.written and (moved is None or not moved.copied):
         told: dict[str, Any] = {
             "hardware": Path(hardware) if hardware is not None else None,

@@ -173,7 +173,8 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
     conflicts = sum(task.rule == CONFLICT for task in waiting)
     to_write = len(waiting) - conflicts
     left = [
-        (conflicts, "conflict", "to solve"), (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
+        (conflicts, "conflict", "to solve"),
+        (len(open_choices(plan)), "choice", "to make"), (to_write, "task", "to write"), (errors, "error", "to correct"),
         (len(screen.shortages), "shortage", "on the board"),
     ]  # fmt: skip
     if needs := [f"{quantity(count, what)} {why}" for count, what, why in left if count]:

@@ -238,7 +238,9 @@ def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[st
             rows[_ON_PURPOSE].append((*finding_row(finding), names(finding), "", str(finding.evidence["accepted"])))
         elif finding.severity >= Severity.warning:
             count = about[finding.rule, names(finding)]
-            rows[finding.severity.name].append((*finding_row(finding), names(finding), _all(finding.rule, names(finding), count), ""))
+            rows[finding.severity.name].append(
+                (*finding_row(finding), names(finding), _all(finding.rule, names(finding), count), "")
+            )
         else:
             rows[finding.severity.name].append((*finding_row(finding), "", "", ""))
     titles = {**SEVERITIES, _ON_PURPOSE: "On purpose"}

@@ -143,7 +143,9 @@ def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], ac
     report.artifacts = made.artifacts()
     report.lines = made.lines()
     report.judge(severity, accept)
-    marked = dict.fromkeys(str(task.location.path) for task in report.tasks if task.rule == _CONFLICT and task.location is not None)
+    marked = dict.fromkeys(
+        str(task.location.path) for task in report.tasks if task.rule == _CONFLICT and task.location is not None
+    )
     if made.written and marked:
         report.next = f"solve the conflicts in {', '.join(str(made.output / name) for name in marked)}, then migrate again"
     elif made.written:

@@ -85,8 +85,13 @@ def refuse_others(done: Completed, new: Writing) -> None:
 
 
 def commit(
-    done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None,
-    *, amending: bool = False, run: str = "",
+    done: Completed,
+    new: Writing,
+    inputs: Mapping[str, bytes | None],
+    outside: ExternalFiles | None,
+    *,
+    amending: bool = False,
+    run: str = "",
 ) -> None:
     """Write the files, and the record of them, all or none; `amending` and `run` as for `save_previous`."""
     manifest, places, output = done.folder.manifest, done.folder.places, done.folder.path
