@@ -147,8 +147,8 @@ class PlanPage:
 
         Returns:
             `state` (saved, stale or refused), `message`, the digest of the plan as it is stored `now`, and the page as it
-            now is: `plan`, `settings`, `sections` that have changed since the page was shown (as `changed` says), `open`, `decided`, `progress`,
-            `result` with its `result_state`, `command` and `diff`.
+            now is: `plan`, `settings`, `sections` that have changed since the page was shown (as `changed` says), `open`,
+            `decided`, `progress`, `result` with its `result_state`, `command` and `diff`.
         """
         before, shown = ((self.plan, self.settings), dict(self.sections)), str(about.get("plan", ""))
         settings = str(about.get("settings", self.settings))
