@@ -36,7 +36,10 @@ _POLICY = (
 class Content(Protocol):
     """What a page shows and does."""
 
-    def state(self) -> Mapping[str, str]:
+    def now(self) -> str:
+        """The word for the stored state that a request names to say what it has seen."""
+
+    def state(self) -> dict[str, Any]:
         """Words that identify the current state and change with it."""
 
     def document(self, *, live: bool, nonce: str) -> str:

@@ -163,6 +163,17 @@ def test_a_project_file_that_changes_is_another_state_and_is_shown_on_the_reload
     assert f'data-settings="{now["settings"]}"' in asked(server, f"/{server.token}/")[2].decode()
 
 
+def test_a_kept_edit_is_said_with_the_choice(out: Path) -> None:
+    sketch = out / "blink" / "blink.ino"
+    sketch.write_text(f"// mine\n{sketch.read_text()}")
+    page = PlanPage(out)
+    page.document(live=True, nonce="n")
+    done = page.act("choose", {"id": "port:eye", "value": "D4", "plan": page.now()})
+    assert done["state"] == "saved"
+    assert "an edit outside the regions is kept" in done["message"]
+    assert sketch.read_text().startswith("// mine")
+
+
 def test_what_is_said_of_a_choice_that_is_open_again(server: PageServer, out: Path) -> None:
     said = []
     for value in ("D4", ""):

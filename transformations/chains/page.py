@@ -131,7 +131,8 @@ class PlanPage:
         ]
         return str(
             self._templates.text(
-                "page.html.j2", live=live, decides="decide" in self.shown, plan=self.plan, settings=self.settings, head=_head(live, nonce),
+                "page.html.j2", live=live, decides="decide" in self.shown, plan=self.plan,
+                settings=self.settings, head=_head(live, nonce),
                 foot=_script(nonce), sections=sections, groups=groups, **self.facts,
             )
         )  # fmt: skip
@@ -145,9 +146,9 @@ class PlanPage:
             about: these values.
 
         Returns:
-            `state` (saved, stale or refused), `message`, the digest of the plan as it is stored `now`, and the page as it now is:
-            `plan`, `settings`, `sections` that have changed since the page was shown (as `changed` says), `open`, `decided`, `progress`,
-            `result` with its `result_state`, `command` and `diff`.
+            `state` (saved, stale or refused), `message`, the digest of the plan as it is stored `now`, and the page as it
+            now is: `plan`, `settings`, `sections` that have changed since the page was shown (as `changed` says), `open`,
+            `decided`, `progress`, `result` with its `result_state`, `command` and `diff`.
         """
         before, shown = ((self.plan, self.settings), dict(self.sections)), str(about.get("plan", ""))
         settings = str(about.get("settings", self.settings))
@@ -166,7 +167,8 @@ class PlanPage:
             return {"state": "refused", "message": _told(error), "now": self.now()}
         same = before[1] if (shown, settings) == before[0] else {}
         return {
-            "state": state, "message": message, "plan": self.plan, "settings": self.settings, "now": self.plan, "command": command, "diff": changes,
+            "state": state, "message": message, "plan": self.plan, "settings": self.settings, "now": self.plan,
+            "command": command, "diff": changes,
             "sections": {
                 name: changed(same[name], text) if name in same else text
                 for name, text in self.sections.items() if same.get(name) != text and name in self.shown

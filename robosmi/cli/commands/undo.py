@@ -65,4 +65,5 @@ def _line(step: UndoStep) -> str:
     """A step as a person reads it: its number, when it ran, its command or choice, and what it changed."""
     named = [*step.files[:_SHOWN], *[f"and {len(step.files) - _SHOWN} more"] * (len(step.files) > _SHOWN)]
     what = "undone; undo again to redo it" if step.number == 0 else f"--steps {step.number}"
-    return f"{what:16} {step.at.replace('T', ' ').removesuffix('Z') or 'earlier':20} {step.run + ': ' if step.run else ''}{', '.join(named)}"
+    run = f"{step.run}: " if step.run else ""
+    return f"{what:16} {step.at.replace('T', ' ').removesuffix('Z') or 'earlier':20} {run}{', '.join(named)}"

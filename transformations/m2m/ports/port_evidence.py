@@ -1,7 +1,7 @@
 """Evidence for and against a port being on a connection: directions, kinds of components, names, connectors.
 
-What the program says beside a port (the variable that gets its value, a comment at its line or declaration) decides nothing: a comment may be
-older than the code. It only orders the options of a port that stays open.
+What the program says beside a port (the variable that gets its value, a comment at its line or declaration) decides
+nothing: a comment may be older than the code. It only orders the options of a port that stays open.
 
 Words and kinds are those of `queries.circuits.component_kinds`. Which port gets which connection is decided in `port_binding`.
 """
