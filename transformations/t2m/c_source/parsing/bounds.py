@@ -43,7 +43,7 @@ MAX_GROWN = 60_000
 _LARGE_USE = 200
 """Tokens of an expansion above which a macro use is a large one; programs written by people have few of them."""
 MOST_ELEMENTS = 1_000_000
-"""Elements up to which the designators of a file reach (`[N] =`); libclang takes memory for each, and no microcontroller has it."""
+"""Elements up to which the designators of a file reach (`[N] =`); libclang takes memory for each."""
 LARGEST = inputs.SOURCE.most
 """Bytes of a source file or header; none of a microcontroller's program is that large."""
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")

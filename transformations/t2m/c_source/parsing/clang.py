@@ -320,7 +320,9 @@ def parse(
         return None
     held = _held()
     with _limited(held + lib.spare), _silent():
-        code = lib.parseTranslationUnit2(index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit))
+        code = lib.parseTranslationUnit2(
+            index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
+        )
     if code != 0:
         lib.spare -= max(0, _held() - held)
     return unit.value if code == 0 and unit.value else None
