@@ -48,6 +48,15 @@ def test_no_two_repetitions_of_a_pattern_can_match_the_same_text() -> None:
     assert not found, "\n".join(sorted(found))
 
 
+def test_a_comment_that_is_never_closed_is_looked_through_once() -> None:
+    """A pattern that needs the comment's end looks for it from each `/*` again, to the end of the text."""
+    texts = {f"{each.path}:{each.line}": each.pattern.pattern for each in own_patterns()}
+    plain = {place: text.decode("latin-1") if isinstance(text, bytes) else text for place, text in texts.items()}
+    comments = {place: text for place, text in plain.items() if r"/\*.*?" in text}
+    assert len(comments) > 5
+    assert [place for place, text in comments.items() if r"/\*.*?(?:\*/|\Z)" not in text] == []
+
+
 def test_every_pattern_is_looked_at() -> None:
     assert {each.partition(":")[0] for each in unreadable_patterns()} == {*NOT_IN_THE_TEXT}
     assert {each.path for each in own_patterns()} >= {*ALLOWED}

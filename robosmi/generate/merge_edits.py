@@ -275,7 +275,7 @@ def _open_conflict(text: str, *made: str) -> int | None:
     return next((number for number, line in enumerate(text.split("\n"), 1) if line.strip() in marks), None)
 
 
-_BLOCK_COMMENT = re.compile(r"/\*.*?\*/|<!--.*?-->", re.DOTALL)
+_BLOCK_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)|<!--.*?(?:-->|\Z)", re.DOTALL)
 
 
 def _divider_left(text: str, others: Sequence[str]) -> int | None:

@@ -175,7 +175,7 @@ def format_(value: Answer, pattern: str) -> str:
     """The value written by a pattern such as `%03d`, by the rules of Java's formatter: `%d` rejects a Real, `%f` an Integer.
 
     Raises:
-        OperandError: the pattern does not take the value, or asks for a second one.
+        OperandError: the pattern does not take the value, asks for a second one, or for more than 999,999 characters.
 
     >>> format_(7, "%03d|"), format_(2.5, "%.2f"), format_(-1, "%x"), format_(1234567, "%,d"), format_(True, "%s")
     ('007|', '2.50', 'ffffffff', '1,234,567', 'true')
@@ -190,6 +190,8 @@ def format_(value: Answer, pattern: str) -> str:
         taken += 1
         if kind not in _TAKES or taken > 1 or not (value is None or _TAKES[kind](value)):
             raise OperandError(f"'{pattern}' does not take {as_string(value)}")
+        if max(len(match["width"] or ""), len(match["digits"] or "")) > 6:
+            raise OperandError("the format asks for more than 999,999 characters", fix="ask for less")
         return _formatted(value, match)
 
     made = _CONVERSION.sub(written, pattern)

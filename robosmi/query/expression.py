@@ -145,8 +145,10 @@ class Caller:
         name = str(self._named.get(id(function)) or getattr(function, "__name__", ""))
         self._check(name, function, arguments, options)
         value = function(*arguments, **options)
-        if is_resource(value) or isinstance(value, type):
-            raise UsageError(f"an expression may not use a {type(value).__name__} of Python's", fix="ask for values")
+        inner = value if isinstance(value, (list, tuple)) and name in _BY_NAME else ()
+        for each in (value, *inner):
+            if is_resource(each) or isinstance(each, type):
+                raise UsageError(f"an expression may not use a {type(each).__name__} of Python's", fix="ask for values")
         return value
 
     def _may_call(self, function: Any) -> bool:
@@ -168,7 +170,7 @@ class Caller:
         given = arguments
         if id(function) in self._named and name in _BY_NAME:
             name = options.get("name", arguments[1] if len(arguments) > 1 else "")
-            if not isinstance(name, str) or name.startswith("_"):
+            if not isinstance(name, str) or name.lstrip("~").startswith("_"):
                 raise UsageError(
                     f"an expression may not use '{name}'", fix="names with underscores in front belong to Python itself"
                 )

@@ -20,7 +20,7 @@ from robosmi.query.live_collections import collection
 from robosmi.query.naming import snake
 from robosmi.query.operations import TABLES, has_plain_operation, plain_operation
 from robosmi.query.problems import UndefinedError, UnknownPropertyError, describe, unknown_property
-from robosmi.query.run import ext
+from robosmi.query.run import noted
 from robosmi.query.values import EolType, collection_kind, compares_itself
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ def _property(target: V, name: str) -> Answer:
     if target is None:
         raise UndefinedError(f"the property '{name}' cannot be read from nothing", fix="use get_safe, or a default")
     if name[:1] == "~":
-        noted: Answer = getattr(ext(target), name[1:])
-        return noted
+        extended: Answer = noted(target, name[1:])
+        return extended
     if isinstance(target, Tuple):
         field: Answer = target.field(name)
         return field

@@ -88,6 +88,11 @@ class Extended:
         self._notes[name] = value
 
 
+def noted(target: V, name: str) -> Any:
+    """An extended property by its name, None until it is set."""
+    return current_run().notes_of(target).setdefault("~", {}).get(name)
+
+
 def ext(target: V) -> Extended:
     """Extended properties (EOL `x.~mark`): attributes of any object for this run only, None until set, never in the XMI.
 

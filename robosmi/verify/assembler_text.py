@@ -28,7 +28,7 @@ _QUOTED = re.compile(
     rf"[ \t]*(?:\.(?:ascii|asciz|string|ident)[ \t]+{_TEXT}"
     rf"|\.file[ \t]+(?:\d+[ \t]+)?{_TEXT}(?:[ \t]+{_TEXT})?(?:[ \t]+md5[ \t]+0x[\da-f]+)?"
     rf'|\.(?:push)?section[ \t]+[-\w.$\x80-\xff]+,[ \t]*"[\w?]*"(?:,[@%]\w+(?:,{_NAME})*)?'
-    r'|#[ \t]*\d+[ \t]+"[^"\\;]*"[ \t\d]*)[ \t]*',  # a place in the program, as comment
+    r'|#[ \t]*\d+[ \t]+"[^"\\;]*"(?: \d)?)[ \t]*',  # a place in the program, as comment
     re.ASCII,
 )
 """The lines with quotes."""

@@ -72,6 +72,14 @@ def test_a_look_up_that_the_plan_lost_is_found() -> None:
     assert fired(models)
 
 
+def test_a_file_that_the_parser_gives_up_is_not_called_ready(monkeypatch: pytest.MonkeyPatch) -> None:
+    models = plan_migration([PROGRAM])
+    monkeypatch.setattr("robosmi.transformations.t2m.c_source.parsing.clang.parse", lambda *_: None)
+    texts = {file.name: file.after or "" for file in completion.program(models).files}
+    found = completion.compiler_findings(models, parsed_program(models.plan, texts))
+    assert [(f.rule, Path(f.path).name, "is not checked" in str(f.message)) for f in found] == [("RS337", "robot.c", True)]
+
+
 CPP_PINS = Path(__file__).parent / "cpp_pins"
 CONSTRUCTS = sorted([*CPP_PINS.glob("*.cpp"), *(folder for folder in CPP_PINS.iterdir() if folder.is_dir())])
 

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.errors import SourceError
+from robosmi.verify.toolchains.sketch import check_inside
 from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from robosmi.verify.toolchains.tools import environment
 from tests.running import run
@@ -81,3 +83,10 @@ def test_gcc_takes_nothing_from_its_environment(sketch: Path, tmp_path: Path, mo
 def test_every_toolchain_unsets_what_gcc_takes(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(name, "hostile")
     assert [t.name for t in load_toolchains() if name in environment(t)] == []
+
+
+def test_a_record_that_is_a_pipe_stops_what_works_on_the_folder(tmp_path: Path) -> None:
+    (tmp_path / "blink").mkdir()
+    os.mkfifo(tmp_path / ".robosmi.json")
+    with pytest.raises(SourceError, match="named pipe"):
+        check_inside(tmp_path / "blink")

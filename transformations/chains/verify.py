@@ -327,9 +327,9 @@ def _update_report(done: Verified, output: Path) -> None:
     try:
         generate_again(output / STORED, output, report_only=True)
     except RobosmiError as error:
-        done.notes.append(
-            f"{REPORT} does not have this verdict: {error.message} (do: robosmi generate {output / STORED} -o {output})"
-        )
+        again = f"robosmi generate {output / STORED} -o {output}"
+        advice = f"{error.fix}; then: {again}" if error.fix else again
+        done.notes.append(f"{REPORT} does not have this verdict: {error.message} (do: {advice})")
 
 
 def with_verdict(made: Generated, *, strict: bool = False) -> Generated:

@@ -139,11 +139,19 @@ def check_inside(folder: Path) -> None:
         folder: a sketch's folder, or one beside it.
 
     Raises:
-        SourceError: a link leads out of the output folder.
+        SourceError: a link leads out of the output folder, or its record of the last run is a named pipe, device or socket.
     """
     as_named = Path(os.path.abspath(folder))
     for own in {as_named, as_named.resolve()}:
-        if os.path.lexists(own.parent / MANIFEST):
+        record = own.parent / MANIFEST
+        if os.path.lexists(record):
+            try:
+                check_ordinary(record)
+            except InputRejectedError as error:
+                message = f"the record of the last run cannot be read: {error.strerror}"
+                raise SourceError(message, location=Location(str(record)), fix="replace it with an ordinary file") from None
+            except OSError:  # a link that leads nowhere
+                pass
             Places(own.parent).check_inside(own.name)
 
 

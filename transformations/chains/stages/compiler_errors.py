@@ -92,20 +92,27 @@ def _board_macros(plan: migration.MigrationPlan) -> list[str]:
 def compiler_errors(
     plan: migration.MigrationPlan, program: GeneratedProgram, sources: Mapping[str, bytes]
 ) -> list[migration.PlanFinding]:
-    """RS337: the lines of the generated texts that a C++ compiler refuses and no other finding of the plan reports.
+    """RS337: the lines of the generated texts that a C++ compiler refuses and no other finding of the plan reports, and the texts
+    that cannot be checked.
 
     Args:
         plan: the plan, which stays as it is.
         program: its finished program, parsed.
         sources: path of a unit -> its bytes.
     """
-    if target_of(plan).language == "C" or plan.program is None:
+    if plan.program is None:
         return []
-    refused = compiler_complaints(program)
+    units = {file_name(unit, plan): str(unit.path) for unit in plan.program.units}
+    found = [
+        Finding(
+            RULE, Severity.warning, f"{name} is not checked: the C parser gave up on it", Location(units[name], 1),
+            fix="make its initialisers and structures smaller, or compare the sketch with the source yourself",
+        )
+        for name in program.unread if name in units
+    ]  # fmt: skip
     place = source_place(plan, program, sources)
     known = {(str(f.path), int(f.line)) for f in plan.findings if f.rule in _TOLD_BEFORE}
-    found: list[Finding] = []
-    for each in refused:
+    for each in compiler_complaints(program) if target_of(plan).language != "C" else ():
         at = place(each.file, each.line)
         if at is None or (at.path, at.line) not in known:
             message = f"line {each.line} of {each.file}: {each.message}"

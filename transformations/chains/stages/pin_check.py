@@ -31,7 +31,7 @@ LOOK_UPS = frozenset({"port", "ports", "port_of_channel"})
 """The helpers by which a finished program looks up the pin of a port."""
 _TOKENS = re.compile(r"[A-Za-z_]\w*|\d\w*")
 _ARGUMENT = re.compile(r"\((\w+)")
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 _FIX = "compare the line with the source, and write the pin of the wiring table there"
 
 Place = Callable[[str, int], Location | None]

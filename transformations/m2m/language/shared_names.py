@@ -217,7 +217,7 @@ def linkage(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
 _FOR_CPLUSPLUS = re.compile(r"__cplusplus|defined\s*+\(?\s*+__cplusplus\s*+\)?")
 _OPEN = re.compile(r"\[\s*\]")
 _LINKAGE = re.compile(rb'\s*+(?:#?\s*+extern\s*"C"\s*+\{?|\})\s*')
-_COMMENTS = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
+_COMMENTS = re.compile(rb"/\*.*?(?:\*/|\Z)|//[^\n]*", re.DOTALL)
 
 
 def _branches(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.PreprocessorConditional, ccode.PreprocessorConditional]]:

@@ -210,7 +210,9 @@ def _unit(
     parsed = parse(source, api, folders, defines, [*before, *joined.before], joined)
     if parsed is None:
         raise SourceError(
-            "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"
+            "the C parser gave up on this file: it crashed, or needed too much memory",
+            location=Location(source.path),
+            fix="check that it is C source text, and that its arrays fit into the source platform's memory",
         )
     context = UnitContext(parsed, api, BUILDERS, folders)
     contexts.append(context)

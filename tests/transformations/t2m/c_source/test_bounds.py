@@ -18,6 +18,7 @@ from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.expressions import MOST_CALLS
+from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
 from robosmi.transformations.t2m.c_source.parsing.headers import Folders, reached
 from robosmi.transformations.t2m.c_source.reader import MOST_FILES
@@ -325,3 +326,43 @@ def test_a_file_makes_no_more_calls_than_any_board_can_hold(tmp_path: Path) -> N
         read_program(program, platform="propeller")
     assert raised.value.location is not None
     assert raised.value.location.line == 3 + MOST_CALLS // once
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "int x[] = {[500000000] = 1};",
+        "int x[] = {[0 ... 40000000] = 1};",
+        "int x[999999999] = {1, [0x1fffffff] = 1};",
+        "#define N 500000000\n#define M N\nint x[] = {[M] = 1};",
+        "int x[] = {[1000 * 1000 * 2] = 1};",
+        "int x[] = {[1 << 29] = 1};",
+        "int x[][2000] = {[0 ... 1999][0 ... 1999] = 1};",
+        "int x[][2000] = {[0 ... 1999] = {[0 ... 1999] = 1}};",
+        "int x[][900000] = {[0][899999] = 1, [1][899999] = 1};",
+        "struct { int a[900000]; } x[] = {{.a[899999] = 1}, {.a[899999] = 1}};",
+        "int x[] = {[900000] = 1}, y[] = {[900000] = 1};",
+    ],
+)
+def test_an_initialiser_that_no_board_has_memory_for_is_refused_before_it_is_parsed(text: str) -> None:
+    data = text.encode()
+    with pytest.raises(TooLargeError, match="1,000,000 elements") as raised:
+        cuts("a.c", data, tokens(data))
+    assert raised.value.location is not None
+    assert raised.value.fix
+
+
+def test_usual_initialisers_are_within_the_limit() -> None:
+    table = ", ".join(f"[{number}] = {number}" for number in range(3000))
+    data = f"int x[] = {{{table}}}, y[32][8] = {{[0 ... 31] = {{[0 ... 7] = 1}}}}; int z = x[5000000];".encode()
+    assert cuts("a.c", data, tokens(data)) == []
+
+
+def test_the_parser_takes_no_more_memory_than_its_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(clang.library(), "spare", clang.MOST_MEMORY)
+    path = tmp_path / "a.c"
+    path.write_text("enum { N = 500000000 };\nint x[] = {[N] = 1};\n")
+    with pytest.raises(SourceError, match="gave up"):
+        read_program(path)
+    path.write_text("int x[] = {[5] = 1};\n")
+    assert read_program(path)[0].units

@@ -42,6 +42,8 @@ MAX_GROWN = 60_000
 """Tokens that the large macro uses of one file may expand to; further ones are cut, since parsing them takes seconds."""
 _LARGE_USE = 200
 """Tokens of an expansion above which a macro use is a large one; programs written by people have few of them."""
+MOST_ELEMENTS = 1_000_000
+"""Elements up to which the designators of a file reach (`[N] =`); libclang takes memory for each."""
 LARGEST = inputs.SOURCE.most
 """Bytes of a source file or header; none of a microcontroller's program is that large."""
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
@@ -61,8 +63,14 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
         tokens: its tokens, comments and directives included.
 
     Raises:
-        TooLargeError: its macros expand to more than `MAX_EXPANDED` tokens.
+        TooLargeError: its macros expand to more than `MAX_EXPANDED` tokens, or its initialisers have more than `MOST_ELEMENTS`.
     """
+    if b"[" in data and b"{" in data and (far := _too_far(tokens)) is not None:
+        line = data.count(b"\n", 0, far) + 1
+        raise TooLargeError(
+            f"its initialisers reach beyond {MOST_ELEMENTS:,} elements", location=Location(path, line),
+            fix="give the array a size that fits into the board's memory, and fill it in a loop",
+        )  # fmt: skip
     weights = _macro_weights(tokens) if data.count(b"#") and b"define" in data else {}
     harmless = (
         not weights
@@ -95,6 +103,8 @@ def shallow(data: bytes) -> bool:
         depth += 1 if bracket in b"([{" else -1
         if depth >= MAX_BRACKETS:
             return False
+    if b"..." in data and b"[" in data:  # perhaps the range of a designator
+        return False
     few = data.count(b"else") < MAX_BRANCHES and data.count(b"(") < MAX_RUN  # each `for (;;)` within another has one
     return few and _CONDITION.search(data) is None and max(len(each) for each in _PREFIX.split(data)) < 5 * MAX_RUN
 
@@ -116,6 +126,88 @@ def _nests(directive: str, weights: Mapping[str, Weight]) -> bool:
         if depth + unary >= MAX_BRACKETS:
             return True
     return False
+
+
+def _too_far(tokens: Sequence[Token]) -> int | None:
+    """The offset of the designator with which the initialisers of a file have too many elements; None if they have not.
+
+    A list has as many elements as its furthest designator says; a range makes what it is given for each of its elements.
+    """
+    words = [each for each in tokens if each[0] not in ("comment", "directive")]
+    macros: dict[str, list[str]] | None = None
+    lists, total, i, behind = [[1, 0]], 0, 0, -1  # (how often a list is made, its elements), and where a designator may go on
+    made = 1
+    while i < len(words):
+        text, first = words[i][3], i > 0 and words[i - 1][3] in ("{", ",")
+        if text == "{":
+            lists.append([lists[-1][0] * made, 0])
+        elif text == "}" and len(lists) > 1:
+            total += lists.pop()[1]
+        made = made if text in ("=", "{") or i == behind else 1
+        i += 1
+        if text == "." and (first or i - 1 == behind):
+            behind = i + 1
+        elif text == "[" and (first or i - 1 == behind):
+            opening = i - 1
+            while i < len(words) and words[i][3] not in ("]", ";", "{"):
+                i += 1
+            if macros is None:
+                macros = _numbers(tokens)
+            index = [each[3] for each in words[opening + 1 : i]]
+            elements = made * lists[-1][0] * (max(0, _value(index, macros)) + 1)
+            if first:
+                lists[-1][1] = max(lists[-1][1], elements)
+            else:
+                total += elements
+            made = made * (max(0, _value(index, macros)) + 1) if "..." in index else made
+            i += 1
+            behind = i
+            if total + lists[-1][1] > MOST_ELEMENTS:
+                return words[opening][1]
+    return None
+
+
+def _numbers(tokens: Sequence[Token]) -> dict[str, list[str]]:
+    """The macros of a file that stand for a short expression, with its tokens."""
+    found: dict[str, list[str]] = {}
+    for kind, _, _, text in tokens:
+        if kind == "directive" and "define" in text and len(text) < 200:
+            word, rest = directive_parts(text)
+            name, parameters, body = definition_parts(rest) if word == "define" else ("", None, "")
+            if name and parameters is None:
+                found[name] = [each[3] for each in tokenise(body.encode("utf-8", "replace"))]
+    return found
+
+
+def _value(words: Sequence[str], macros: Mapping[str, Sequence[str]]) -> int:
+    """The value of an index, or the end of a range: sums, products and shifts of numbers; brackets count for nothing."""
+    for _ in range(8):  # macros of macros
+        if len(words) > 100 or not any(each in macros for each in words):
+            break
+        words = [word for each in words for word in macros.get(each, (each,))]
+    words = words[len(words) - list(reversed(words)).index("...") if "..." in words else 0 :]
+    total, term, operator = 0, 0, "+"
+    for word in words[:100]:
+        if word[0].isdigit():
+            number = _literal(word)
+            if operator == "*":
+                term *= number
+            elif operator == "<<":
+                term <<= min(number, 64)
+            elif operator in ("+", "|"):
+                total, term = total + term, number
+            term = min(term, 1 << 64)
+        elif word not in ("(", ")"):
+            operator = word
+    return total + term
+
+
+def _literal(word: str) -> int:
+    plain = word.lower().rstrip("ul")
+    try:
+        return int(plain, 8 if plain[:1] == "0" and plain.isdigit() else 0) if len(plain) < 20 else 1 << 64
+    except ValueError:
+        return 0
 
 
 def _is_list_of(tokens: Sequence[Token], number: int) -> bool:

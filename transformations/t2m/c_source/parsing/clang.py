@@ -9,14 +9,16 @@ builders.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, c_longlong, c_uint, c_ulong, c_void_p
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi import inputs
 from robosmi.errors import MissingToolError
 from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
 
@@ -34,6 +36,8 @@ VERSION = 18
 """The version whose numbers of cursors and operators the reader knows."""
 ERROR, FATAL = 3, 4
 """Severities of complaints."""
+MOST_MEMORY = 1 << 30
+"""Bytes that libclang may take for one text, and lose in all by crashes, after which it frees nothing."""
 
 
 class Cursor(Structure):
@@ -256,6 +260,7 @@ class ClangLibrary:
             raise OSError(f"it is {self.version or 'of an unknown version'}, and this reader needs version {VERSION}")
         self.index = self.createIndex(0, 0)
         self.own_index = self.createIndex(1, 0)
+        self.spare = MOST_MEMORY
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
@@ -297,6 +302,8 @@ def parse(
 ) -> int | None:
     """A translation unit's handle, or None when the parser gave up. The caller gives it back with `disposeTranslationUnit`.
 
+    libclang survives its own crashes, also for want of memory (`MOST_MEMORY`).
+
     Args:
         path: path of the main file.
         arguments: as for a compiler.
@@ -309,8 +316,59 @@ def parse(
     virtual = (UnsavedFile * len(files))(*files)
     unit = c_void_p()
     index = lib.own_index if own_only else lib.index
-    code = lib.parseTranslationUnit2(index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit))
+    if lib.spare <= 0:
+        return None
+    held = _held()
+    with _limited(held + lib.spare), _silent():
+        code = lib.parseTranslationUnit2(
+            index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
+        )
+    if code != 0:
+        lib.spare -= max(0, _held() - held)
     return unit.value if code == 0 and unit.value else None
+
+
+def _held() -> int:
+    """The bytes of this process's data; 0 where no limit of them is known."""
+    if sys.platform != "linux":
+        return 0
+    with suppress(OSError, ValueError):
+        return int(inputs.read_text("/proc/self/statm", inputs.SETTINGS).split()[5]) * os.sysconf("SC_PAGESIZE")
+    return 0
+
+
+@contextmanager
+def _limited(most: int) -> Iterator[None]:
+    """Within it, this process gets no more bytes of data than that."""
+    if sys.platform != "linux":
+        yield
+        return
+    import resource
+
+    limits = resource.getrlimit(resource.RLIMIT_DATA)
+    wanted = min([most, *(each for each in limits if each != resource.RLIM_INFINITY)])
+    resource.setrlimit(resource.RLIMIT_DATA, (wanted, limits[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_DATA, limits)
+
+
+@contextmanager
+def _silent() -> Iterator[None]:
+    """Within it, nothing reaches the standard error: libclang writes there how it crashed."""
+    try:
+        own, nothing = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    except OSError:  # there is no standard error, or too many files are open
+        yield
+        return
+    try:
+        os.dup2(nothing, 2)
+        yield
+    finally:
+        os.dup2(own, 2)
+        os.close(own)
+        os.close(nothing)
 
 
 def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, int | None], int]) -> None:
