@@ -207,6 +207,11 @@ class EmfModel(TypedModel):
         return before
 
     @property
+    def read_with(self) -> dict[Path, list[DynamicEObject]]:
+        """The files that were read with it, as it refers to them -> their root elements."""
+        return dict(self._read_with)
+
+    @property
     def packages(self) -> list[EPackage]:
         """The outermost EPackages."""
         return self.metamodel.epackages
