@@ -211,3 +211,18 @@ def test_a_part_is_an_input_of_a_chain_and_its_trace_names_the_parts_file(folder
     assert states() == ["done", "done"]
     assert "other" in (folder / "build" / "c.xmi").read_text()
     assert states() == ["up to date", "up to date"]
+
+
+def test_a_save_that_does_not_write_what_was_edited_says_so(folder: Path) -> None:
+    session = Session()
+    model: Any = session.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
+    model.save()
+    assert model.findings == []
+    model.Node.all[0].name = "changed"
+    model.save()
+    (finding,) = model.findings
+    assert (finding.rule, "q.xmi" in finding.message, "save_all" in str(finding.fix)) == ("RS611", True, True)
+    assert [path.name for path in session.save_all()] == ["q.xmi"]
+    model.roots[0].name = "changed"
+    model.save()
+    assert model.findings == []
