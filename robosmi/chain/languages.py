@@ -25,9 +25,10 @@ from robosmi.generate import Gen
 from robosmi.model import save_model
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
+from robosmi.model.elements.ecore import EObject
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Session
-from robosmi.model.xmi.saved_places import lost_comment_lines
+from robosmi.model.xmi.saved_places import lost_comment_lines, still_roots
 from robosmi.model.xmi.xml_comments import lost_comments
 from robosmi.query import ModelView
 from robosmi.query.rules.rule_language import failed, owner_of, place_of, technology
@@ -75,7 +76,8 @@ def load(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
     else:
         options = {"strict": True} if step.strict else {}
         made = doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel, **options)
-    return StepResult(step, "done"), ModelView(made)
+    read = sorted(relative(path, doing.folder) for path in made.read_with) if isinstance(made, EmfModel) else []
+    return StepResult(step, "done", read=read), ModelView(made)
 
 
 def _opened(step: Step, driver: Function) -> Model:
@@ -213,7 +215,7 @@ def transform(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
         if step.trace is not None and isinstance(module, ETL):
             files = {**doing.files, step.makes: step.file}
             stored = {relative(path, step.trace.parent): models[name] for name, path in files.items() if path is not None}
-            save_model(module.trace.to_model(), step.trace, {p: list(m.roots) for p, m in _of_emf(stored)})
+            save_model(module.trace.to_model(), step.trace, _roots_by_file(stored, step.trace.parent))
     return result, made
 
 
@@ -224,6 +226,19 @@ def _new(step: Step, doing: StepContext) -> Model:
 
         return XmlModel.new(step.file, step.makes)
     return EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes, step.file)
+
+
+def _roots_by_file(models: Mapping[str, Model], folder: Path) -> dict[str, list[EObject]]:
+    """The root elements of models, and of the files that were read with them, by the files' names seen from a folder."""
+    found: dict[str, list[EObject]] = {name: list(model.roots) for name, model in _of_emf(models)}
+    taken = {id(root) for roots in found.values() for root in roots}
+    for _, model in _of_emf(models):
+        for path, roots in model.read_with.items():
+            name, others = relative(path, folder), still_roots(roots)
+            if name not in found and not any(id(root) in taken for root in others):
+                found[name] = others
+                taken.update(id(root) for root in others)
+    return found
 
 
 def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:

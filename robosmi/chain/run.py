@@ -236,6 +236,8 @@ class ChainRun:
             if self.progress is not None:
                 self.progress(step, result)
             self.remember(step, inputs, result)
+            if result.read and not self.dry_run:  # which files they are is known only now
+                self.content[step.makes] = self.state.steps[step.name].inputs = self.inputs(step)
         if result.state == "failed":
             self.stopped |= set(step.models)
         if step.kind != "load" and step.makes and step.file is not None and result.state in ("done", "up to date"):
@@ -249,6 +251,8 @@ class ChainRun:
         parts = [("step", "\0".join(settings)), ("keep", str(self.keep and step.kind == "generate"))]
         parts += [(f"output {relative(p, self.folder)}", "") for p in step.outputs()]
         parts += [(f"file {relative(p, self.folder)}", digest_of(p)) for p in step.inputs()]
+        if step.kind == "load" and (known := self.state.steps.get(step.name)) is not None:
+            parts += [(f"file {name}", digest_of(self.folder / name)) for name in known.read]
         parts += [(f"model {name}", self.content[name]) for name in step.models]
         if step.kind == "load" and step.function is None and step.file is not None:
             from robosmi.model.opening import code_of_driver  # a chain of functions loads nothing
@@ -403,7 +407,9 @@ class ChainRun:
         result.outputs |= {relative(path, self.folder): "" for path in step.stored()}
         result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
-        self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed", result.changes)
+        self.state.steps[step.name] = StepState(
+            inputs, result.outputs, findings, result.state == "failed", result.changes, result.read
+        )
 
 
 def unlike(value: Any, function: Function) -> str:

@@ -27,13 +27,17 @@ SCHEMA = "robosmi-chain/1"
 
 
 class StepState(Struct):
-    """A step's last run: digest of its inputs, outputs with their digests, findings; whether it changed a model that it reads."""
+    """A step's last run: digest of its inputs, outputs with their digests, findings; whether it changed a model that it reads.
+
+    Of a loaded model: the files that were read with it.
+    """
 
     inputs: str
     outputs: dict[str, str] = {}
     findings: list[dict[str, Json]] = []
     failed: bool = False
     changes: bool = False
+    read: list[str] = []
 
 
 class State:
@@ -71,7 +75,8 @@ class State:
 def _step_from(entry: dict[str, Json]) -> StepState:
     outputs = {name: as_text(made) for name, made in as_table(entry["outputs"]).items()}
     findings = [as_table(finding) for finding in as_list(entry["findings"])]
-    return StepState(as_text(entry["inputs"]), outputs, findings, bool(entry["failed"]), bool(entry.get("changes")))
+    read = [as_text(name) for name in as_list(entry.get("read", []))]
+    return StepState(as_text(entry["inputs"]), outputs, findings, bool(entry["failed"]), bool(entry.get("changes")), read)
 
 
 def digest_of(path: Path) -> str:

@@ -113,6 +113,7 @@ class StepResult(Struct):
         written: files that it wrote, or would write; relative to the chain's folder.
         removed: files that it removed.
         diff: the changes of text files, as a unified diff.
+        read: files that were read with a model that it loads, as that refers to them; relative to the chain's folder.
         outputs: every file that it made, changed or not -> its digest.
         fixed: the fixes that a validation performed, each with its element.
         saved: names of the models that were written again because of them.
@@ -126,6 +127,7 @@ class StepResult(Struct):
     written: list[str] = []
     removed: list[str] = []
     diff: str = ""
+    read: list[str] = []
     outputs: dict[str, str] = {}
     fixed: list[str] = []
     saved: list[str] = []

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Never, cast
 
 from robosmi import inputs
-from robosmi.diagnostics import Finding
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.elements.compact_slots import collector_at_rest
@@ -31,6 +31,9 @@ if TYPE_CHECKING:
     from robosmi.model.ecore.xmi_document import Document
     from robosmi.model.xmi.open_files import OpenFiles
     from robosmi.model.xmi.xmi_layout import Root
+
+
+FOREIGN, ELSEWHERE, LEFT_OUT = "RS610", "RS611", "RS612"
 
 
 class EmfModel(TypedModel):
@@ -61,6 +64,8 @@ class EmfModel(TypedModel):
         self.findings: list[Finding] = []
         self._digest = ""
         self._watch = Watch()
+        self._edits = Watch()
+        """What changed since the model was read or saved; only of a model that other files were read with."""
         self._home = Home(self._watch, path)
         self._roots: dict[int, DynamicEObject] = {}
         self._all: list[DynamicEObject] = []
@@ -137,8 +142,12 @@ class EmfModel(TypedModel):
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         model._open_files = open_files
         model._read_with = {other: document.roots for other, document in documents.items() if other != place}
+        model._edits.touched = False
+        if model._read_with:
+            model._home.listeners.append(model._edits)
         for other, others in model._read_with.items():
             home = Home(None, other)
+            home.listeners.append(model._edits)
             for root in others:
                 if home_of(root) is None:
                     home.add(root)
@@ -150,7 +159,9 @@ class EmfModel(TypedModel):
             open_files.add(place, model, documents)
         return model
 
-    def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
+    def save(
+        self, path: str | Path | None = None, others: Mapping[str, Root] | None = None, *, keep_layout: bool = False
+    ) -> None:
         """Write the model as XMI, or as JSON or YAML by the name of the file (`.json`, `.yaml`, `.yml`), whole or not at all.
 
         References into other files lead there again, seen from the new place: into files that were read with the model, and into
@@ -162,6 +173,7 @@ class EmfModel(TypedModel):
         Args:
             path: the file; the one it was read from if None.
             others: models in the same folder that it refers to, file name -> root or roots; they are not written.
+            keep_layout: whether the layout of the file it was read from is kept in another file in any case.
 
         Raises:
             ModelError: there is no path, or a reference leads to an element of a model without one, or of none.
@@ -171,7 +183,8 @@ class EmfModel(TypedModel):
         from robosmi.model.xmi.saved_places import back_up_comments
 
         target = self._target(path)
-        text = self.to_bytes(target, others)
+        text = self.to_bytes(target, others, keep_layout=keep_layout)
+        self._tell_what_stays(target, text)
         if self.path is not None and target == self.path:
             back_up_comments(target, text)
         write_atomic(target, text)
@@ -180,7 +193,27 @@ class EmfModel(TypedModel):
         if self._digest and os.path.realpath(target) == os.path.realpath(self.path):
             self._digest = hashlib.sha256(text).hexdigest()
 
-    def to_bytes(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> bytes:
+    def _tell_what_stays(self, target: Path, text: bytes) -> None:
+        """Add findings about what a save does not write: edits of other files' elements, and parts that are not in the model."""
+        from robosmi.model.xmi.text_forms import is_json, is_yaml
+
+        self.findings = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
+        place = Location(str(target))
+        if self._edits.touched and self._read_with and target == self.path and target.is_file():
+            if inputs.read_bytes(target, inputs.MODEL) == text:
+                names = ", ".join(sorted(each.name for each in self._read_with))
+                said = f"'{target.name}' has no change, and edits of files that were read with it are not saved ({names})"
+                self.findings.append(Finding(ELSEWHERE, Severity.warning, said, place, fix="save all files: Session.save_all()"))
+            self._edits.touched = False
+        apart = next((each for each in self.findings if each.rule == FOREIGN), None)
+        was_xmi = self.path is not None and not (is_json(self.path) or is_yaml(self.path))
+        if apart is not None and was_xmi and (is_json(target) or is_yaml(target)):
+            said = f"'{target.name}' lacks what is not in the model: {apart.message}"
+            self.findings.append(Finding(LEFT_OUT, Severity.warning, said, place, fix="save as XMI, which keeps it"))
+
+    def to_bytes(
+        self, path: str | Path | None = None, others: Mapping[str, Root] | None = None, *, keep_layout: bool = False
+    ) -> bytes:
         """The model as it would be saved.
 
         Raises:
@@ -193,7 +226,7 @@ class EmfModel(TypedModel):
         text = text_of(target, self.roots, read, self.path, self._schema_locations, others or {})
         if self.path is None or not self._digest:
             return text
-        return in_its_layout(text, self.path, self._digest, self.packages, target)
+        return in_its_layout(text, self.path, self._digest, self.packages, target, keep_layout)
 
     def __setattr__(self, name: str, value: object) -> None:
         refuse_unknown_attribute(self, name)
@@ -205,6 +238,11 @@ class EmfModel(TypedModel):
         """Whether an element of it was changed since this was asked last; of a new model, yes."""
         before, self._watch.touched = self._watch.touched, False
         return before
+
+    @property
+    def read_with(self) -> dict[Path, list[DynamicEObject]]:
+        """The files that were read with it, as it refers to them -> their root elements."""
+        return dict(self._read_with)
 
     @property
     def packages(self) -> list[EPackage]:

@@ -18,7 +18,7 @@ import builtins
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
 from math import prod
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Never, Protocol, Self, TypeVar, overload
 
 from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder, grouped, reached
@@ -181,6 +181,14 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         from robosmi.model.elements.show import items_html
 
         return items_html(self._items)
+
+    def _in_order(self, other: object) -> Never:
+        raise OperandError(
+            f"a collection is not greater or less than {as_string(other)}",
+            fix="compare its size (q.size() > 1), or ask for items: q.exists(lambda x: x > 1)",
+        )
+
+    __lt__ = __le__ = __gt__ = __ge__ = _in_order
 
     def __add__(self, other: Iterable[R]) -> Self:
         return self.including_all(other)

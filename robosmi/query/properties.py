@@ -128,7 +128,7 @@ def of_items(items: Iterable[V], name: str, default: Answer = _MISSING) -> list[
             raise
         raise UnknownPropertyError(
             f"{error.message}, and a collection no operation of that name (did you mean '{near}'?)",
-            location=error.location, fix=f"write {near}(...) for the operation; {error.fix}",
+            location=error.location, fix="; ".join(filter(None, (f"write {near}(...) for the operation", error.fix))),
         ) from error  # fmt: skip
 
 

@@ -37,11 +37,13 @@ def test_a_file_that_was_not_edited_keeps_its_bytes(encoding: str, newline: byte
     text = COMMENTED.read_text().replace("ASCII", encoding).replace("\n", newline.decode())
     (tmp_path / "m.xmi").write_bytes(before := text.encode(encoding))
     model = opened(tmp_path / "m.xmi")
-    assert [finding.rule for finding in model.findings] == ["RS610"]
+    assert [finding.rule for finding in model.findings] == ["RS610", "RS610"]
     model.save()
     assert (tmp_path / "m.xmi").read_bytes() == before
     model.save(tmp_path / "copy.xmi")
     assert (tmp_path / "copy.xmi").read_bytes() == before
+    model.save(tmp_path / "copy.json")
+    assert [finding.rule for finding in model.findings] == ["RS610", "RS610", "RS612"]
 
 
 @pytest.mark.parametrize("case", sorted(LAYOUTS.glob("*_elsewhere")), ids=lambda path: path.name)

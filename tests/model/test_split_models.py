@@ -191,3 +191,38 @@ def test_the_type_that_stands_before_a_reference_is_no_change(form: str, tmp_pat
     root.one = model.A.all[1]
     model.save()
     assert file.read_text() == edited.replace(form, 'one="r3"')
+
+
+def test_a_part_is_an_input_of_a_chain_and_its_trace_names_the_parts_file(folder: Path) -> None:
+    (folder / "build").mkdir()
+    (folder / "c.toml").write_text(
+        '[[step]]\nload = "P"\nfile = "p.xmi"\nmetamodel = "g.ecore"\n'
+        '[[step]]\ntransform = "rules.py:to_copy"\nmodels = "P"\nmakes = "C"\nmetamodel = "g.ecore"\n'
+        'file = "build/c.xmi"\ntrace = "build/trace.xmi"\n'
+    )
+
+    def states() -> list[str]:
+        return [step.state for step in read_chain(folder / "c.toml").run().steps]
+
+    assert states() == ["done", "done"]
+    assert 'href="../q.xmi#/"' in (folder / "build" / "trace.xmi").read_text()
+    assert states() == ["up to date", "up to date"]
+    (folder / "q.xmi").write_text((folder / "q.xmi").read_text().replace("sub", "other"))
+    assert states() == ["done", "done"]
+    assert "other" in (folder / "build" / "c.xmi").read_text()
+    assert states() == ["up to date", "up to date"]
+
+
+def test_a_save_that_does_not_write_what_was_edited_says_so(folder: Path) -> None:
+    session = Session()
+    model: Any = session.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")
+    model.save()
+    assert model.findings == []
+    model.Node.all[0].name = "changed"
+    model.save()
+    (finding,) = model.findings
+    assert (finding.rule, "q.xmi" in finding.message, "save_all" in str(finding.fix)) == ("RS611", True, True)
+    assert [path.name for path in session.save_all()] == ["q.xmi"]
+    model.roots[0].name = "changed"
+    model.save()
+    assert model.findings == []

@@ -15,6 +15,7 @@ from tests.library import library
         ("Book.all.selct(lambda b: b.year > 2000)", "did you mean 'select'?"),
         ("Book.all.first().authors.notEmpty()", "did you mean 'not_empty'?"),
         ("Book.all.selectOne(lambda b: b.year > 2000)", "did you mean 'select_one'?"),
+        ("Book.all.year > 2000", "q.size() > 1"),
         ("Book.allInstances()", "did you mean 'all'?"),
         ("Book.allOfType()", "did you mean 'all_of_type'?"),
         ("Book.all.nmae", "did you mean 'name'?"),

@@ -52,7 +52,7 @@ def run(arguments: _Arguments) -> Report:
         report.lines = [f"{conflicts}: {arguments.output} was not written"]
         report.failure_code, report.ok = 1, False
         return report
-    found.model.save(arguments.output)
+    found.model.save(arguments.output, keep_layout=True)
     report.result["written"] = str(arguments.output)
     report.artifacts = [{"path": str(arguments.output), "kind": "model"}]
     taken = f", {conflicts} won by {arguments.take.upper()}" if found.conflicts and arguments.take is not None else ""

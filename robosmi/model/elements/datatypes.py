@@ -257,7 +257,8 @@ _CONVERTERS: dict[str, tuple[FromText, ToText]] = {
     "EJavaObject": (_no_text, _no_text), "UnlimitedNatural": (_read_unlimited, _write_unlimited),
 }  # fmt: skip
 _DEFAULTS: dict[str, Any] = {
-    "UnlimitedNatural": 0, "EShort": 0, "EByte": b"\0", "EChar": "\0", "EInt": 0, "ELong": 0, "EDouble": 0.0, "EFloat": 0.0, "EBoolean": False,
+    "UnlimitedNatural": 0,
+    "EShort": 0, "EByte": b"\0", "EChar": "\0", "EInt": 0, "ELong": 0, "EDouble": 0.0, "EFloat": 0.0, "EBoolean": False,
     "int": 0, "long": 0, "short": 0, "byte": 0, "double": 0.0, "float": 0.0, "boolean": False, "char": "\0",
 }  # fmt: skip
 _TYPES_OF_UML = re.compile(r"http://www\.eclipse\.org/uml2/[0-9.]+/Types")

@@ -89,7 +89,9 @@ def texts_of(files: OpenFiles) -> dict[Path, bytes]:
     return made | {path: model.to_bytes() for path, model in models.items()}
 
 
-def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPackage], target: Path) -> bytes:
+def in_its_layout(
+    text: bytes, source: Path, digest: str, packages: Sequence[EPackage], target: Path, anywhere: bool = False
+) -> bytes:
     """The new text of a model in the layout of the file it was read from, if that is as it was and can be followed.
 
     Comments, encoding, the order of attributes and what is of no metamodel's namespace stay; a change is a change of few lines.
@@ -101,6 +103,7 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
         digest: that of its bytes when it was read.
         packages: the packages of the model.
         target: where it is saved.
+        anywhere: whether another file gets the layout too if there are neither comments nor foreign parts.
     """
     try:
         original = inputs.read_bytes(source, inputs.MODEL)
@@ -118,7 +121,7 @@ def in_its_layout(text: bytes, source: Path, digest: str, packages: Sequence[EPa
     before = _as_written(source, original, known, target)
     if before is None or before == original:  # the file's layout is ours
         return text
-    if os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
+    if not anywhere and os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
         return text
     is_metamodel = _METAMODEL.search(text[:_HEAD]) is not None  # the namespaces that its text refers to may be found nowhere
     now = text if is_metamodel else _as_written(target, text, known, target)

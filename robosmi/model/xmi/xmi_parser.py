@@ -76,6 +76,7 @@ class Builder:
     """
 
     def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None) -> None:
+        self.tells_foreign = foreign is not None
         self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
         self.document = Document(path)
         self.plans = plans
@@ -440,6 +441,7 @@ class _Parser(Builder):
         owner = type(element).__name__
         if entry is None or entry.kind == XMI_ID:
             if local == "Extension" and XMI_NAMESPACES.fullmatch(tag.rpartition("}")[0]):
+                self.extension()
                 self.skip()
                 return None, None
             namespace = tag.rpartition("}")[0]
@@ -518,6 +520,8 @@ class _Parser(Builder):
                 self.several = True
                 return None, FeatureEntry(ROOT)
         if self.several and XMI_NAMESPACES.fullmatch(uri):  # documentation, extensions, differences
+            if name == "Extension":
+                self.extension()
             self.skip()
             return None, None
         if uri == ECORE_URI:
@@ -558,6 +562,13 @@ class _Parser(Builder):
 
         self.expat.StartElementHandler, self.expat.EndElementHandler = start, end
         self.expat.CharacterDataHandler = None
+
+    def extension(self) -> None:
+        """Say that an extension is not in the model; a strict read takes it as it always did."""
+        if self.tells_foreign:
+            self.foreign(
+                self.expat.CurrentLineNumber, "an extension of XMI, of the tool that wrote the file, is not in the model", ""
+            )
 
     # --- namespaces, and what a model has not
 
