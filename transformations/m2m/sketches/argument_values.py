@@ -119,14 +119,13 @@ def taken_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
     bits = values.here.int_bits
     number = values.here.number("unsigned int")
     for view in sketch.views:
-        for name, position in (("delayMicroseconds", 0), ("tone", 1)):
-            for call in _called(view, name):
-                given = call.arguments[position] if position < len(call.arguments) and not _owner(call) else None
-                if given is None or number is None or not values.cuts(given, number):
-                    continue
-                reason = f"'{name}' takes {bits} bits on its own board"
-                start, end = int(given.startOffset), int(given.endOffset)
-                yield SketchEdit(given, _RULE, reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
+        for call in _called(view, "delayMicroseconds"):
+            given = call.arguments[0] if call.arguments and not _owner(call) else None
+            if given is None or number is None or not values.cuts(given, number):
+                continue
+            reason = f"'{call.calleeName}' takes {bits} bits on its own board"
+            start, end = int(given.startOffset), int(given.endOffset)
+            yield SketchEdit(given, _RULE, reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
         for call in _called(view, "analogWrite"):
             given = call.arguments[1] if len(call.arguments) > 1 else None
             found = values.range_of(given)

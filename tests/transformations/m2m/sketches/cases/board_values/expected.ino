@@ -1,6 +1,6 @@
 const int lamp = NUM_DIGITAL_PINS > 20 ? 3 : 8;
 
-void setup() {
+void setup() { analogWriteFreq(490);
 #if F_CPU == 16000000L
   delay(10);
 #endif
