@@ -354,3 +354,10 @@ def test_a_call_made_by_a_macro_that_is_passed_to_another_changes_no_part_of_a_w
     made = text(tmp_path, "passed_macro/passed_macro.ino")
     assert "void setup() { OUTS(MODE) pinMode(" in made
     assert "#define MODE(n) pinMode(port(n), OUTPUT);" in made
+
+
+def test_all_names_that_are_no_ports_are_told_at_once(tmp_path: Path) -> None:
+    (finding,) = migrated("tabs", tmp_path, "--bind", "horn=GP3", "--bind", "bell=GP4").document["findings"]
+    assert finding["rule"] == "RS901"
+    assert "'horn'" in finding["message"]
+    assert "'bell'" in finding["message"]
