@@ -54,9 +54,15 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     )
 
 
+def _bind_each(u: ccode.SourceUnit) -> str:
+    """The advice for ports that only the running program knows, with a port as the source platform calls it."""
+    name = the_move().view(u).api.port_name(4)
+    return f'bind each port that it can be, with --bind {name}=PIN or [bind] {name} = "PIN"; the others do nothing'
+
+
 @units.constraint(
     id="RS327", severity=Severity.warning, location=place,
-    advice='bind each port that it can be, with --bind P4=PIN or [bind] P4 = "PIN"; the others do nothing',
+    advice=_bind_each,
 )  # fmt: skip
 def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     """The ports passed to a function or register are known statically, or a person has bound those computed at run time."""

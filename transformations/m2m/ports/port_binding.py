@@ -224,6 +224,7 @@ def _seat(
 def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
     """The pins that one source of choices gives, by port; a pin that the program may compute at run time is added as a port."""
     found: dict[str, tuple[str, str]] = {}
+    unknown: dict[str, str] = {}
     for name, pin in layer.pins.items():
         port = next((p for p in ports if name == p.name or name in p.names), None)
         number = api.port_number(name)
@@ -241,11 +242,8 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
                 numbers = ", ".join(api.port_name(pin) for pin in program.shared[name])
                 with placed(layer.places.get(name)):
                     raise UsageError(f"'{name}' means several ports of the program: {numbers}", fix="bind each by its number")
-            with placed(layer.places.get(name), _ANOTHER_PROGRAM):
-                raise UsageError(
-                    f"'{name}' is no port of the program{did_you_mean(name, known)}",
-                    fix=f"its ports are: {', '.join(p.name for p in ports) or 'none'}",
-                )
+            unknown[name] = f"'{name}' is no port of the program{did_you_mean(name, known)}"
+            continue
         earlier = found.setdefault(port.name, (name, pin))
         if earlier[1] != pin:
             raise UsageError(
@@ -253,6 +251,9 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
                 location=layer.places.get(name),
                 fix="remove one of them",
             )
+    if unknown:
+        with placed(layer.places.get(next(iter(unknown))), _ANOTHER_PROGRAM):
+            raise UsageError("; ".join(unknown.values()), fix=f"its ports are: {', '.join(p.name for p in ports) or 'none'}")
     return {port: _Pin(pin, layer.places.get(name)) for port, (name, pin) in found.items()}
 
 

@@ -43,6 +43,7 @@ SAME_NUMBERS = "its numbers mean the same pins on the target"
 NEXT = "enumerator-after-port"
 """Id of the rule that keeps the value of an enumerator that follows a replaced one."""
 _NAME = re.compile(r"[A-Za-z_]\w*")
+_IN_WORD = re.compile(rb"\w\w")
 _REASONS = 4
 
 
@@ -88,6 +89,8 @@ def port_changes(
             for argument, known in zip(each.flow.arguments, each.values, strict=True):
                 changes += shut.pop(id(argument.call), []) if argument.unplaced else []
                 at = (str(argument.unit.path), argument.start, argument.end)
+                if _is_torn(sources[at[0]], argument.start, argument.end):
+                    continue  # a macro that is passed to another makes the call, and its own text is looked up
                 if _asks(argument, known) and at not in looked:
                     looked.add(at)  # several functions may be given the same argument of a macro
                     around = _around(argument, sources, number, arrays)
@@ -354,3 +357,8 @@ def _change(unit: ccode.SourceUnit, start: int, end: int, text: str, functions: 
         unit=unit, startOffset=start, endOffset=end, replacement=text, rule=NO_PIN, step=migration.Step.hardware,
         reason=f"a macro passes {', '.join(functions)} a number of the source, which cannot be looked up",
     )  # fmt: skip
+
+
+def _is_torn(data: bytes, start: int, end: int) -> bool:
+    """Whether a range begins or ends inside of a word, so that it is not the text of an expression."""
+    return any(0 < at < len(data) and _IN_WORD.match(data, at - 1) is not None for at in (start, end))

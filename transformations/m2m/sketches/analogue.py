@@ -25,6 +25,8 @@ def analogue(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     """The edits, and the places."""
     source, target = sketch.move.source, sketch.move.target
     called = [(view, call) for view in sketch.views for call in view.of_kind(ccode.Call)]
+    if source.chip != target.chip and source.timers:
+        yield from dict.fromkeys(_levels(sketch, [each for each in called if each[1].calleeName == WRITE and each[1].arguments]))
     if source.architecture == target.architecture:
         if source.chip != target.chip:  # the internal reference has another name, or other volts
             for _, call in called:
@@ -52,6 +54,16 @@ def analogue(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
         yield sketch.place("analog_reference", call, REFERENCE)
     if named[READ] and sketch.facts.supply_volts:
         yield from _volts(sketch)
+
+
+def _levels(sketch: MovedSketch, calls: Sequence[tuple[CodeView, ccode.Call]]) -> Iterator[PortabilityPlace]:
+    """The calls for pins that make no pulses on the source board, where analogWrite sets their level."""
+    source = sketch.move.source
+    for view, call in calls:
+        numbers = {value.number for value in view.values.of(call.arguments[0])}
+        pins = {source.numbers.get(number) for number in numbers if number is not None}
+        if without := sorted(pin for pin in pins if pin is not None and pin not in source.timers):
+            yield sketch.place("no_pwm", call, ", ".join(without))
 
 
 def _frequencies(sketch: MovedSketch, calls: Sequence[tuple[CodeView, ccode.Call]]) -> list[tuple[ccode.Expression, int]]:

@@ -114,6 +114,25 @@ def stored_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[Sketch
                 yield SketchEdit(given, _RULE, reason, (inserted(start, f"({kind})("), inserted(end, ")")))
 
 
+def taken_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:
+    """The edits of arguments that functions of the platform take in 16 bits on the source board; values of no pulse width."""
+    bits = values.here.int_bits
+    number = values.here.number("unsigned int")
+    for view in sketch.views:
+        for call in _called(view, "delayMicroseconds"):
+            given = call.arguments[0] if call.arguments and not _owner(call) else None
+            if given is None or number is None or not values.cuts(given, number):
+                continue
+            reason = f"'{call.calleeName}' takes {bits} bits on its own board"
+            start, end = int(given.startOffset), int(given.endOffset)
+            yield SketchEdit(given, _RULE, reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
+        for call in _called(view, "analogWrite"):
+            given = call.arguments[1] if len(call.arguments) > 1 else None
+            found = values.range_of(given)
+            if found is not None and found.given and not found.within(0, 255):
+                yield sketch.place("pwm_value", call, expression_text(given))
+
+
 def _type_there(given: ccode.Expression | None, values: WrappedValues) -> str:
     """The type that gives a value its own size; empty for one that has it, and for variables."""
     place = given

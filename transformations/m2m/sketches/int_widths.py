@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.returned_values import returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
-from robosmi.transformations.m2m.sketches.argument_values import stored_values
+from robosmi.transformations.m2m.sketches.argument_values import stored_values, taken_values
 from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
@@ -24,7 +24,7 @@ from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
 from robosmi.transformations.queries.expression_type import of_use
-from robosmi.transformations.queries.numbers import Machine
+from robosmi.transformations.queries.numbers import COMPARISONS, Machine
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.width_types import retyped_words
@@ -34,6 +34,8 @@ _TYPE = re.compile(
     rb"(?:\s*\b(?:static|const|volatile|register|extern|inline|constexpr|unsigned|signed|int|char|double|PROGMEM)\b)+"
 )
 """The words in front of a declared name, as far as a type is written with them."""
+_FUNCTIONAL = re.compile(rb"(?:static_cast\s*<\s*)?(unsigned\s+int|unsigned|word|int)\b")
+_LIMITS = frozenset(["UINT16_MAX", "INT16_MAX", "INT16_MIN"])
 
 
 def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
@@ -67,7 +69,8 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             reason = f"'{each.name}' may leave the {bits} bits that an int has on its own board, and wraps there"
             yield SketchEdit(each, "int-wraps", reason, words)
         yield from _cured_times(sketch, values, holder)
-    cuts = [*format_widths(sketch, values), *stored_values(sketch, values)]
+    cuts = [*format_widths(sketch, values), *stored_values(sketch, values), *taken_values(sketch, values)]
+    cuts += _widths_left(sketch, values)
     yield from cuts
     cut_there = {id(each.element) for each in cuts if isinstance(each, SketchEdit)}
     for view in sketch.views:
@@ -78,6 +81,49 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             start, end = int(expression.startOffset), int(expression.endOffset)
             reason = f"the result is cut to the {bits} bits that it has on its own board"
             yield SketchEdit(expression, "int-cut", reason, (inserted(start, f"({cut})("), inserted(end, ")")))
+
+
+def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:
+    """The edits of casts that look like calls, and of numbers that are compared without a sign; the limits and sizes left."""
+    bits = values.here.int_bits
+    for view in sketch.views:
+        data = sketch.sources[str(view.unit.path)]
+        for cast in view.of_kind(ccode.Cast):
+            start = int(cast.startOffset)
+            found = _FUNCTIONAL.match(data, start) if cast.target is None and is_written(view, cast) else None
+            if found is None:
+                continue
+            spelling = f"{'u' if found[1].startswith((b'unsigned', b'word')) else ''}int{bits}_t"
+            number = values.here.number(spelling)
+            if number is not None and values.cuts(cast.operand, number):
+                change = Replacement(found.start(1), found.end(1), spelling)
+                yield SketchEdit(cast, "int-cut", f"the result is cut to the {bits} bits that it has on its own board", (change,))
+        for each in view.of_kind(ccode.Binary):
+            if each.operator in COMPARISONS and is_written(view, each):
+                yield from _unsigned_side(each, values)
+            limits = [side for side in (each.left, each.right) if isinstance(side, ccode.NameReference)]
+            if each.operator in ("+", "-", "*", "<<"):
+                yield from (sketch.place("int_limit", each, str(side.name)) for side in limits if side.name in _LIMITS)
+        for size in view.of_kind(ccode.SizeOf):
+            held = size.operand.target if isinstance(size.operand, ccode.NameReference) else None
+            known = isinstance(held, (ccode.Variable, ccode.Field)) and values.is_int(held.valueType) and not values.wraps(held)
+            outer = size.eContainer()
+            if known and not (isinstance(outer, ccode.Binary) and outer.operator == "/" and outer.left is size):
+                yield sketch.place("sizeof_int", size, f"each int in sizeof({size.operand.name})")
+
+
+def _unsigned_side(each: ccode.Binary, values: WrappedValues) -> Iterator[SketchEdit]:
+    """The edit of a negative number that is compared with an unsigned one, which the source's int cannot hold."""
+    bits = values.here.int_bits
+    for one, other in ((each.left, each.right), (each.right, each.left)):
+        number, found = values.number(one), values.range_of(other)
+        if number is None or number.real or number.signed or number.bits != bits or other is None:
+            continue
+        of = values.number(other)
+        if found is not None and found.single and found.low < 0 and of is not None and of.bits == bits:
+            start, end = int(other.startOffset), int(other.endOffset)
+            reason = "it is compared without a sign on its own board"
+            yield SketchEdit(other, "int-cut", reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
 
 
 def _written_at(sketch: MovedSketch, each: ccode.Declaration, bits: int) -> tuple[str, int] | None:
@@ -107,6 +153,7 @@ def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     """
     if not sketch.move.source.char_signed or sketch.move.target.char_signed:
         return
+    yield from _char_casts(sketch)
     done = set[tuple[str, int]]()
     for holder in negative_chars(sketch.views, returned_values(sketch.views[0].api.name)):
         group = declarations(sketch.views, holder)
@@ -125,6 +172,21 @@ def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             yield SketchEdit(
                 each, "char-sign", f"'{each.name}' takes negative values, and char has no sign there", (inserted(at, "signed "),)
             )
+
+
+def _char_casts(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of casts to char of numbers that get negative there, where their value is calculated or compared with."""
+    for view in sketch.views:
+        for cast in view.of_kind(ccode.Cast):
+            plain = cast.target is not None and str(cast.target.spelling).strip() == "char" and is_written(view, cast)
+            numbers = {value.number for value in view.values.of(cast.operand)} if plain else set()
+            if isinstance(cast.eContainer(), ccode.Binary) and any(each is not None and not 0 <= each < 128 for each in numbers):
+                start = int(cast.startOffset)
+                at = sketch.sources[str(view.unit.path)].find(b"char", start, int(cast.endOffset))
+                if at >= 0:
+                    yield SketchEdit(
+                        cast, "char-sign", "the number is negative as a char of its own board", (inserted(at, "signed "),)
+                    )
 
 
 def retyped_here(sketch: MovedSketch, each: ccode.Declaration, bits: int) -> tuple[Replacement, ...]:

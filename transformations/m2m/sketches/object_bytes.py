@@ -22,6 +22,7 @@ from robosmi.transformations.queries.own_headers import unit_of
 
 BYTES, SIZE = "bytes_of_object", "sizeof_int"
 _RULE = "object-bytes"
+_INT = re.compile(r"\b(?:int|unsigned|word)\b")
 _SIZES = {
     "char": 1, "signed char": 1, "unsigned char": 1, "bool": 1, "int8_t": 1, "uint8_t": 1, "short": 2, "unsigned short": 2,
     "int": 2, "unsigned int": 2, "int16_t": 2, "uint16_t": 2, "long": 4, "unsigned long": 4, "int32_t": 4, "uint32_t": 4,
@@ -221,4 +222,9 @@ def _sizes(sketch: MovedSketch) -> Iterator[SketchEdit]:
 def _counts(size: ccode.SizeOf) -> bool:
     """Whether a size divides that of an array, which gives the number of its elements on any board."""
     outer = size.eContainer()
-    return isinstance(outer, ccode.Binary) and outer.operator == "/" and isinstance(outer.left, ccode.SizeOf)
+    if not isinstance(outer, ccode.Binary) or outer.operator != "/" or not isinstance(outer.left, ccode.SizeOf):
+        return False
+    whole = outer.left.operand
+    held = whole.target if isinstance(whole, ccode.NameReference) else None
+    use = held.valueType if isinstance(held, (ccode.Variable, ccode.Field)) else None
+    return use is None or size.measured is None or bool(_INT.search(str(use.spelling)))

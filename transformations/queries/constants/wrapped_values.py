@@ -280,10 +280,19 @@ class WrappedValues:
         )
 
     def _cut_off(self, cast: ccode.Cast, number: Number) -> bool:
-        """Whether a cast to int cuts a wider value that is not known to fit."""
+        """Whether a cast to int cuts a wider value that is not known to fit, or a written number that does not."""
         inner, found = self.number(cast.operand), self._ranges.of(cast.operand)
-        wider = inner is not None and not inner.real and inner.bits > number.bits
+        literal = cast.operand.operand if isinstance(cast.operand, ccode.Unary) else cast.operand
+        written = isinstance(literal, ccode.IntegerLiteral)
+        wider = inner is not None and not inner.real and (inner.bits > number.bits or written)
         return wider and (found is None or not found.within(number.least, number.most))
+
+    def cuts(self, expression: ccode.Expression | None, number: Number) -> bool:
+        """Whether a type cuts a value: it is known not to fit, or wider and not known to."""
+        of, found = self.number(expression), self._ranges.of(expression)
+        if of is not None and of.real:
+            return False
+        return not found.within(number.least, number.most) if found is not None else of is not None and of.bits > number.bits
 
     def _joins(self, shift: ccode.Binary, number: Number) -> bool:
         """Whether a value is shifted by half an int or more and out of it, as when two bytes are joined, or nobody knows it."""

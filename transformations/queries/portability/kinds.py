@@ -97,6 +97,12 @@ def board_conditions(kind: PlaceKind, seen: AnalysedProgram) -> Found:
                 yield At(view.unit, int(each.line)), name
 
 
+def board_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
+    """Numbers of the board, in directives and in the program."""
+    found = dict.fromkeys([*board_conditions(kind, seen), *named(kind, seen)])
+    yield from found
+
+
 def calls_of_null(kind: PlaceKind, seen: AnalysedProgram) -> Found:
     """Pointers to functions that are null, and that the program only calls."""
     for view in seen.views:
@@ -314,5 +320,7 @@ RULES: dict[str, Rule] = {
     "analog_pin_above_A3": analog_pins,
     "pin_13": pin_of_led,
     "board_macro": board_conditions,
+    "clock_macro": board_numbers,
+    "pin_count": board_numbers,
 }
 """Kind -> its rule."""

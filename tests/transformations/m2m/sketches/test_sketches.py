@@ -347,3 +347,17 @@ def test_a_sketch_none_of_whose_ports_has_a_pin_is_not_ready(tmp_path: Path) -> 
     outcome = migrated("flash_pins", tmp_path)
     assert outcome.result["plan"]["work"]["calls"]["waits_for_port"] == 3
     assert "Needs you: 3 calls" in text(tmp_path, "flash_pins/MIGRATION.md")
+
+
+def test_a_call_made_by_a_macro_that_is_passed_to_another_changes_no_part_of_a_word(tmp_path: Path) -> None:
+    migrated("passed_macro", tmp_path, "--bind", "D2=GP16", "--bind", "D3=GP14", "--bind", "D9=GP7")
+    made = text(tmp_path, "passed_macro/passed_macro.ino")
+    assert "void setup() { OUTS(MODE) pinMode(" in made
+    assert "#define MODE(n) pinMode(port(n), OUTPUT);" in made
+
+
+def test_all_names_that_are_no_ports_are_told_at_once(tmp_path: Path) -> None:
+    (finding,) = migrated("tabs", tmp_path, "--bind", "horn=GP3", "--bind", "bell=GP4").document["findings"]
+    assert finding["rule"] == "RS901"
+    assert "'horn'" in finding["message"]
+    assert "'bell'" in finding["message"]

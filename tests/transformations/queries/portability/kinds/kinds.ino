@@ -52,6 +52,9 @@ void loop() {
   count += analogRead(A5);                   // analog_pin_above_A3
   tone(8, pgm_read_byte(&table[0]));         // tone progmem
   *portOutputRegister(digitalPinToPort(8)) = 0; // pin_register
+  count = F_CPU / 1000000L;                  // clock_macro
+  count = NUM_DIGITAL_PINS;                  // pin_count
+  count = INT_MAX;                           // int_limit
   later = counted;
   later();
   restart();                                 // call_of_null
