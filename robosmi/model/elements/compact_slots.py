@@ -154,6 +154,9 @@ def computed(feature: EStructuralFeature) -> None:
         feature.__class__ = _COMPUTED.get(feature.__class__, feature.__class__)
 
 
+_assigned: Callable[[EReference, EObject, Any], None] = EReference.__set__  # type: ignore[attr-defined]
+
+
 def _redirect(self: EReference, instance: EObject, value: Any) -> None:
     """Set a reference; its former target, and what the new one refers to in turn, let go first, as in EMF.
 
@@ -167,14 +170,14 @@ def _redirect(self: EReference, instance: EObject, value: Any) -> None:
         instance.__dict__[key_of(self)].check(value)
         if self.containment:
             refuse_circle(instance, value)
-        elif opposite.containment:
-            refuse_circle(value, instance)
         if opposite is not None:
+            if opposite.containment:
+                refuse_circle(value, instance)
             if former is not None:
-                EReference.__set__(self, instance, None)
+                _assigned(self, instance, None)
             if not opposite.many and getattr(value, key_of(opposite)) is not None:
-                EReference.__set__(opposite, value, None)
-    EReference.__set__(self, instance, value)
+                _assigned(opposite, value, None)
+    _assigned(self, instance, value)
 
 
 _QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of, "__set__": _redirect})
