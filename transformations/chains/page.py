@@ -222,8 +222,8 @@ class PlanPage:
         accept(self.output, accepted, source=self.source, seen=shown)
         self._make(stored_models(self.output))
         said = f"on purpose: {accepted.reason}" if accepted.reason else "no longer on purpose"
-        about = f"every {accepted.rule}" if accepted.element == "*" else f"{accepted.rule} of {accepted.element}"
-        return f"Saved in robosmi.toml: {about} is {said}.", "", ""
+        which = f"every {accepted.rule}" if accepted.element == "*" else f"{accepted.rule} of {accepted.element}"
+        return f"Saved in robosmi.toml: {which} is {said}.", "", ""
 
     def _read(self, folder: Path, now: str) -> MigrationModels:
         """The models of a folder whose plan has this digest; cached by the page while the files are unchanged."""
