@@ -57,10 +57,10 @@ def check_directives(text: str) -> None:
 
 def _check_line(line: str) -> None:
     if never := _NEVER.search(line):
-        raise refused(never[0])
+        raise assembler_error(never[0])
     for sign in _SIGNS:
         if sign in line:
-            raise refused(sign)
+            raise assembler_error(sign)
     for statement in line.partition("#")[0].split(";"):  # the rest is a comment
         _check_statement(statement)
 
@@ -72,12 +72,12 @@ def _check_statement(statement: str) -> None:
         return
     word = _WORD.match(statement)
     if word is None:
-        raise refused(statement)
+        raise assembler_error(statement)
     if word[1] and word[1].startswith(".") and not re.fullmatch(_DIRECTIVES, word[1], re.ASCII):
-        raise refused(word[1])
+        raise assembler_error(word[1])
 
 
-def refused(what: str) -> VerificationError:
+def assembler_error(what: str) -> VerificationError:
     """The error for assembler text that is not compiled."""
     return VerificationError(
         f"the program has assembler text that cannot be compiled on this machine: {what.strip()!r}",

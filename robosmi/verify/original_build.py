@@ -18,7 +18,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.assembler_text import check_directives, refused
+from robosmi.verify.assembler_text import assembler_error, check_directives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.joined_objects import Counters, elf_at, joined, read_tool_file, rename
 from robosmi.verify.linked_names import PROGRAM_DATA, AllowedNames, check_linked, library_names, names_of
@@ -188,7 +188,7 @@ class _Build(Struct, dict=True):
         self._run("command", *self._flags("machine"), *read, "-c", str(text), "-o", str(target))
         for path in self._files_of(used):  # it also lists the names of sources in the text, which it does not open
             if path not in (text, self.folder / source.name, *included):
-                raise refused(path.name)
+                raise assembler_error(path.name)
 
     def _files_of(self, rule: Path) -> list[Path]:
         return list(used_files(read_tool_file(rule).decode("utf-8", "surrogateescape"), self.folder))
