@@ -26,7 +26,7 @@ from robosmi.model.elements.compact_slots import (
 )
 from robosmi.model.elements.ecore import DynamicEObject, EObject
 from robosmi.model.elements.features import class_in
-from robosmi.model.elements.proxies import preserve_link, new_proxy
+from robosmi.model.elements.proxies import new_proxy, preserve_link
 from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
