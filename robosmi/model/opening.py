@@ -19,7 +19,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError, did_you_mean
 from robosmi.model.elements.driver import Model
-from robosmi.plugin_contracts import ContentFunction, Contribution, wrong_result
+from robosmi.plugin_contracts import Contribution, wrong_result
 from robosmi.plugins import content, load, registry
 
 V = TypeVar("V")
@@ -160,7 +160,7 @@ def _driver(key: str) -> Callable[..., Model]:
 class _OfPlugin(Struct, frozen=True):
     """A driver that a plug-in offers."""
 
-    driver: ContentFunction
+    driver: Contribution
 
     def __call__(self, path: Path, name: str | None = None, **options: object) -> Model:
         """The model that it opens."""

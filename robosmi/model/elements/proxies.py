@@ -73,7 +73,7 @@ def uri_from(element: EObject, folder: Path | None) -> str:
     return f"{quote(moved, safe='/@!$&,;=+()~')}{mark}{fragment}"
 
 
-def keep_link(owner: EObject, key: str, target: EObject, link: EObject | None, is_fixed: bool) -> None:
+def preserve_link(owner: EObject, key: str, target: EObject, link: EObject | None, is_fixed: bool) -> None:
     """Note that an element's reference to a target is written as the file has it, as long as it leads there.
 
     Args:

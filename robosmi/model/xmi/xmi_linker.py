@@ -18,7 +18,7 @@ from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue,
 from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
 from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
-from robosmi.model.elements.proxies import keep_link
+from robosmi.model.elements.proxies import preserve_link
 from robosmi.model.elements.pyecore_internals import (
     add_silently,
     contain,
@@ -35,7 +35,7 @@ from robosmi.model.xmi.xmi_locations import shown
 Problem = Callable[[Document, int, str], None]
 Missing: TypeAlias = "Callable[[Document, str, int, EObject, FeatureEntry, bool], DynamicEObject | None]"
 """Document, URI, line, owner and feature of a reference, whether that was told already -> what stands for its target."""
-Keeps: TypeAlias = "Callable[[Document, str, EObject, FeatureEntry, EObject], bool]"
+Preserves: TypeAlias = "Callable[[Document, str, EObject, FeatureEntry, EObject], bool]"
 """Document, URI, owner and feature of a reference, what it leads to."""
 Where: TypeAlias = "Document | Package"
 Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
@@ -53,14 +53,16 @@ class XmiLinker:
         open_file: finds the document or package that a URI's file part names.
         problem: is told document, line and text of every problem.
         missing: gives what stands for a target that is not there; None if that is a problem.
-        keeps: says of a target that was found in another file whether the text of the link is kept.
+        preserves: says of a target that was found in another file whether the text of the link is kept.
     """
 
-    def __init__(self, open_file: Open, problem: Problem, missing: Missing | None = None, keeps: Keeps | None = None) -> None:
+    def __init__(
+        self, open_file: Open, problem: Problem, missing: Missing | None = None, preserves: Preserves | None = None
+    ) -> None:
         self.open_file = open_file
         self.problem = problem
         self.missing = missing
-        self.keeps = keeps
+        self.preserves = preserves
         self._found: dict[int, dict[str, DynamicEObject]] = {}
         self._kept: set[tuple[int, int]] = set()
         """Elements and targets of theirs whose links are kept."""
@@ -151,7 +153,7 @@ class XmiLinker:
             if where is None:
                 return self._missing(document, link, line, owner, entry, True)
             found = resolve(where, fragment)
-            if found is not None and self.keeps is not None and self.keeps(document, link, owner, entry, found):
+            if found is not None and self.preserves is not None and self.preserves(document, link, owner, entry, found):
                 self._kept.add((id(owner), id(found)))
         else:
             found = resolve(document, link.removeprefix("#"))
@@ -215,11 +217,11 @@ class XmiLinker:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
                     if add_silently(slot, owner) and (id(owner), id(target)) in self._kept:
-                        keep_link(target, key, owner, None, True)  # the target's own file does not say it
+                        preserve_link(target, key, owner, None, True)  # the target's own file does not say it
                 elif slot is None or target_in(slot) is None:
                     target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
                     if (id(owner), id(target)) in self._kept:
-                        keep_link(target, key, owner, None, True)
+                        preserve_link(target, key, owner, None, True)
                 elif target_in(slot) is not owner:  # a file that EMF wrote has both sides
                     other = shown(target_in(slot))
                     self._wrong(

@@ -26,7 +26,7 @@ from robosmi.model.elements.compact_slots import (
 )
 from robosmi.model.elements.ecore import DynamicEObject, EObject
 from robosmi.model.elements.features import class_in
-from robosmi.model.elements.proxies import keep_link, new_proxy
+from robosmi.model.elements.proxies import new_proxy, preserve_link
 from robosmi.model.elements.pyecore_internals import (
     is_value,
 )
@@ -359,7 +359,7 @@ class _Reader:
             self.find,
             lambda document, line, text: self.problems.append((Location(str(document.path), line), text)),
             self.missing if not self.strict or (self.opened is not None and self.opened.hook is not None) else None,
-            self.keep_mapped,
+            self.preserve_mapped,
         )
         opened = 0
         while opened < len(self.documents):
@@ -414,7 +414,7 @@ class _Reader:
         if self.opened is not None and self.opened.hook is not None:
             found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
             if found is not None:
-                keep_link(owner, entry.key, found, self.proxy(document, link, entry), True)
+                preserve_link(owner, entry.key, found, self.proxy(document, link, entry), True)
                 return found
         place, name = Location(str(document.path), line), f"{type(owner).__name__}.{entry.feature.name}"
         if self.strict:
@@ -426,11 +426,11 @@ class _Reader:
             self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX)
         return self.proxy(document, link, entry)
 
-    def keep_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
+    def preserve_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
         """Keep the text of a link whose file was found by a mapping: the file's own path says less than it."""
         if (document.path, link.partition("#")[0]) not in self._mapped:
             return False
-        keep_link(owner, entry.key, found, self.proxy(document, link, entry), False)
+        preserve_link(owner, entry.key, found, self.proxy(document, link, entry), False)
         return True
 
     def proxy(self, document: Document, link: str, entry: FeatureEntry) -> DynamicEObject:
