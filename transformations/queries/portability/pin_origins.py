@@ -76,7 +76,7 @@ class PinOrigins:
             macro = view.values.macros.get(str(expression.name))
             return macro is not None and re.search(rf"\b{function}\b", str(macro.body or "")) is not None
         if isinstance(expression, ccode.Member) or isinstance(target, ccode.Field):
-            given += self._members.get(str(expression.name), ())
+            given += self._members.get(str(getattr(expression, "name", "")), ())
         elif isinstance(target, ccode.Variable):
             written = (each.eContainer() for each in target.references)
             given += [target.initializer, *(each.right for each in written if isinstance(each, ccode.Assignment))]
