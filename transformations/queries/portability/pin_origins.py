@@ -64,7 +64,7 @@ class PinOrigins:
         elif isinstance(expression, ccode.NameReference):
             yield from self._of_name(expression, view, depth)
 
-    def made_by(self, expression: Element | None, view: CodeView, function: str, depth: int = 0) -> bool:
+    def is_result_of(self, expression: Element | None, view: CodeView, function: str, depth: int = 0) -> bool:
         """Whether a value comes from a call of a function, directly or through a variable, a member or a parameter."""
         if expression is None or depth > _DEEPEST:
             return False
@@ -86,7 +86,7 @@ class PinOrigins:
             given += expression.elements
         else:
             given += [getattr(expression, "operand", None), getattr(expression, "array", None)]
-        return any(self.made_by(each, view, function, depth + 1) for each in given)
+        return any(self.is_result_of(each, view, function, depth + 1) for each in given)
 
     def _of_name(self, reference: ccode.NameReference, view: CodeView, depth: int) -> Iterator[PinOrigin]:
         target = reference.target
