@@ -146,3 +146,13 @@ def _place(expression: ccode.Expression | None) -> Hashable:
 
 def _member(member: ccode.Field) -> Hashable:
     return ("member", str(member.name))
+
+
+def named_lambda(holder: Element | None) -> ccode.Lambda | None:
+    """The lambda that a variable always holds, if the variable is only called, so that its callers are known."""
+    made = holder.initializer if isinstance(holder, ccode.Variable) else None
+    if not isinstance(made, ccode.Lambda) or holder is None:
+        return None
+    uses = ((each, each.eContainer()) for each in holder.references)
+    called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
+    return made if called else None
