@@ -21,7 +21,7 @@ from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import pin_number
-from robosmi.transformations.queries.flows.pointed_calls import named_lambda
+from robosmi.transformations.queries.flows.pointed_calls import called_lambdas, named_lambda
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
     moved_pointer,
@@ -499,7 +499,7 @@ class FlowReader:
         if call.viaMacro:
             return
         arguments = list(call.arguments)
-        if own := self.called(call):
+        if own := self.called(call) or called_lambdas(call):
             for function in own:
                 for parameter, argument in zip(function.parameters, arguments, strict=False):
                     self._give(self.key(parameter), argument)
@@ -508,12 +508,6 @@ class FlowReader:
             for pin in method[1]:
                 if pin.position < len(arguments):
                     self._pin(method[0], pin, call, view)
-            return
-        callee = call.calleeExpression
-        named = named_lambda(callee.target) if isinstance(callee, ccode.NameReference) else None
-        if named is not None:
-            for parameter, argument in zip(named.parameters, arguments, strict=False):
-                self._give(self.key(parameter), argument)
             return
         if call.callee is None and call.calleeExpression is not None:
             for position, argument in enumerate(arguments):

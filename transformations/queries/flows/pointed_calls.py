@@ -156,3 +156,10 @@ def named_lambda(holder: Element | None) -> ccode.Lambda | None:
     uses = ((each, each.eContainer()) for each in holder.references)
     called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
     return made if called else None
+
+
+def called_lambdas(call: ccode.Call) -> list[ccode.Lambda]:
+    """The lambda that a call runs, if the variable that is called always holds it."""
+    callee = call.calleeExpression
+    made = named_lambda(callee.target) if isinstance(callee, ccode.NameReference) else None
+    return [made] if made is not None else []
