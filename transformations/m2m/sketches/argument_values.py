@@ -63,7 +63,7 @@ def _interrupts(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
     here, there, origins = sketch.move.source.interrupts, sketch.move.target.interrupts, PinOrigins(sketch.views)
     for view in sketch.views:
         for call in (each for name in ("attachInterrupt", "detachInterrupt") for each in _called(view, name)):
-            if _owner(call) or not call.arguments or origins.made_by(call.arguments[0], view, "digitalPinToInterrupt"):
+            if _owner(call) or not call.arguments or origins.is_result_of(call.arguments[0], view, "digitalPinToInterrupt"):
                 continue
             numbers = {value.number for value in view.values.of(call.arguments[0])}
             same = [pin for number, pin in here.items() if pin == there.get(number) and numbers & {None, number}]

@@ -21,6 +21,7 @@ from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import pin_number
+from robosmi.transformations.queries.flows.pointed_calls import called_lambdas, named_lambda
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
     moved_pointer,
@@ -311,7 +312,7 @@ class FlowReader:
                 self._unseen_calls(element)
                 self._defaults(element)
             elif isinstance(element, ccode.Lambda):
-                known = _named_lambda(element.eContainer()) is element
+                known = named_lambda(element.eContainer()) is element
                 for parameter in element.parameters:
                     if not known:
                         self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
@@ -498,7 +499,7 @@ class FlowReader:
         if call.viaMacro:
             return
         arguments = list(call.arguments)
-        if own := self.called(call):
+        if own := self.called(call) or called_lambdas(call):
             for function in own:
                 for parameter, argument in zip(function.parameters, arguments, strict=False):
                     self._give(self.key(parameter), argument)
@@ -507,12 +508,6 @@ class FlowReader:
             for pin in method[1]:
                 if pin.position < len(arguments):
                     self._pin(method[0], pin, call, view)
-            return
-        callee = call.calleeExpression
-        named = _named_lambda(callee.target) if isinstance(callee, ccode.NameReference) else None
-        if named is not None:
-            for parameter, argument in zip(named.parameters, arguments, strict=False):
-                self._give(self.key(parameter), argument)
             return
         if call.callee is None and call.calleeExpression is not None:
             for position, argument in enumerate(arguments):
@@ -602,13 +597,3 @@ class FlowReader:
 def view_text(data: bytes, start: int, end: int) -> str:
     """The text of a byte range of a unit, without white space around it."""
     return data[start:end].decode("utf-8", errors="replace").strip()
-
-
-def _named_lambda(holder: Element | None) -> ccode.Lambda | None:
-    """The lambda that a variable always holds, if the variable is only called, so that its callers are known."""
-    made = holder.initializer if isinstance(holder, ccode.Variable) else None
-    if not isinstance(made, ccode.Lambda) or holder is None:
-        return None
-    uses = ((each, each.eContainer()) for each in holder.references)
-    called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
-    return made if called else None

@@ -146,3 +146,20 @@ def _place(expression: ccode.Expression | None) -> Hashable:
 
 def _member(member: ccode.Field) -> Hashable:
     return ("member", str(member.name))
+
+
+def named_lambda(holder: Element | None) -> ccode.Lambda | None:
+    """The lambda that a variable always holds, if the variable is only called, so that its callers are known."""
+    made = holder.initializer if isinstance(holder, ccode.Variable) else None
+    if not isinstance(made, ccode.Lambda) or holder is None:
+        return None
+    uses = ((each, each.eContainer()) for each in holder.references)
+    called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
+    return made if called else None
+
+
+def called_lambdas(call: ccode.Call) -> list[ccode.Lambda]:
+    """The lambda that a call runs, if the variable that is called always holds it."""
+    callee = call.calleeExpression
+    made = named_lambda(callee.target) if isinstance(callee, ccode.NameReference) else None
+    return [made] if made is not None else []

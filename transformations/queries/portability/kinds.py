@@ -214,7 +214,7 @@ def interrupt_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
         for call in _calls(view, kind):
             given = call.arguments[0]
             numbers = {value.number for value in view.values.of(given)}
-            if None in numbers and seen.origins.made_by(given, view, "digitalPinToInterrupt"):
+            if None in numbers and seen.origins.is_result_of(given, view, "digitalPinToInterrupt"):
                 continue
             if any(_other_interrupt(each, seen) for each in numbers):
                 yield At(view.unit, int(call.line)), expression_text(given)

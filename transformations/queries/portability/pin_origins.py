@@ -64,7 +64,7 @@ class PinOrigins:
         elif isinstance(expression, ccode.NameReference):
             yield from self._of_name(expression, view, depth)
 
-    def made_by(self, expression: Element | None, view: CodeView, function: str, depth: int = 0) -> bool:
+    def is_result_of(self, expression: Element | None, view: CodeView, function: str, depth: int = 0) -> bool:
         """Whether a value comes from a call of a function, directly or through a variable, a member or a parameter."""
         if expression is None or depth > _DEEPEST:
             return False
@@ -76,7 +76,7 @@ class PinOrigins:
             macro = view.values.macros.get(str(expression.name))
             return macro is not None and re.search(rf"\b{function}\b", str(macro.body or "")) is not None
         if isinstance(expression, ccode.Member) or isinstance(target, ccode.Field):
-            given += self._members.get(str(expression.name), ())
+            given += self._members.get(str(getattr(expression, "name", "")), ())
         elif isinstance(target, ccode.Variable):
             written = (each.eContainer() for each in target.references)
             given += [target.initializer, *(each.right for each in written if isinstance(each, ccode.Assignment))]
@@ -86,7 +86,7 @@ class PinOrigins:
             given += expression.elements
         else:
             given += [getattr(expression, "operand", None), getattr(expression, "array", None)]
-        return any(self.made_by(each, view, function, depth + 1) for each in given)
+        return any(self.is_result_of(each, view, function, depth + 1) for each in given)
 
     def _of_name(self, reference: ccode.NameReference, view: CodeView, depth: int) -> Iterator[PinOrigin]:
         target = reference.target
