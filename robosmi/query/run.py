@@ -90,7 +90,8 @@ class Extended:
 
 def noted(target: V, name: str) -> Any:
     """An extended property by its name, None until it is set."""
-    return current_run().notes_of(target).setdefault("~", {}).get(name)
+    notes: Any = current_run().notes_of(target).setdefault("~", {})
+    return notes.get(name)
 
 
 def ext(target: V) -> Extended:

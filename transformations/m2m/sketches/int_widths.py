@@ -105,7 +105,9 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
             if each.operator in ("+", "-", "*", "<<"):
                 yield from (sketch.place("int_limit", each, str(side.name)) for side in limits if side.name in _LIMITS)
         for size in view.of_kind(ccode.SizeOf):
-            held = size.operand.target if isinstance(size.operand, ccode.NameReference) else None
+            if not isinstance(size.operand, ccode.NameReference):
+                continue
+            held = size.operand.target
             known = isinstance(held, (ccode.Variable, ccode.Field)) and values.is_int(held.valueType) and not values.wraps(held)
             outer = size.eContainer()
             if known and not (isinstance(outer, ccode.Binary) and outer.operator == "/" and outer.left is size):

@@ -150,12 +150,11 @@ def _member(member: ccode.Field) -> Hashable:
 
 def named_lambda(holder: Element | None) -> ccode.Lambda | None:
     """The lambda that a variable always holds, if the variable is only called, so that its callers are known."""
-    made = holder.initializer if isinstance(holder, ccode.Variable) else None
-    if not isinstance(made, ccode.Lambda) or holder is None:
+    if not isinstance(holder, ccode.Variable) or not isinstance(holder.initializer, ccode.Lambda):
         return None
     uses = ((each, each.eContainer()) for each in holder.references)
     called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
-    return made if called else None
+    return holder.initializer if called else None
 
 
 def called_lambdas(call: ccode.Call) -> list[ccode.Lambda]:
