@@ -6,6 +6,8 @@ without checks, so all questions about a metamodel (what is unsupported, abstrac
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from robosmi.model.elements import compact_slots, datatypes, ecore, features
 from robosmi.model.elements.datatypes import FromText
 from robosmi.model.elements.ecore import EClass, EDataType, EReference, EStructuralFeature
@@ -155,3 +157,13 @@ class Plans:
             if issubclass(cls, Element):
                 cls._robosmi_plan = plan
         return plan
+
+
+def renaming(start: Callable[[str, dict[str, str]], None], uri: str) -> Callable[[str, dict[str, str]], None]:
+    """A parser's handler of elements of another year's XMI, with `xmi:id`, `xmi:type` and `xmi:idref` as EMF has them."""
+    theirs = f"{uri}}}"
+
+    def renamed(name: str) -> str:
+        return f"{XMI}}}{name[len(theirs) :]}" if name.startswith(theirs) else name
+
+    return lambda tag, attributes: start(tag, {renamed(name): text for name, text in attributes.items()})

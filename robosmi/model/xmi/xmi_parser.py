@@ -57,8 +57,9 @@ from robosmi.model.elements.xmi_plan import (
     ClassPlan,
     FeatureEntry,
     Plans,
+    renaming,
 )
-from robosmi.model.xmi.xml_characters import may_contain_escapes, restored
+from robosmi.model.xmi.xml_characters import may_contain_escapes, restored, restoring
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Slots
@@ -326,7 +327,7 @@ class _Parser(Builder):
         self.escapes = may_contain_escapes(data)
         self.start, self.end = self.handlers()
         if self.escapes:
-            self.start = _restoring(self.start)
+            self.start = restoring(self.start)
         parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
         parser.CharacterDataHandler = self.stray
         try:
@@ -578,7 +579,7 @@ class _Parser(Builder):
         self.document.prefixes.setdefault(prefix or "", uri or "")
         self.types.clear()
         if uri and uri != XMI and XMI_NAMESPACES.fullmatch(uri):
-            self.expat.StartElementHandler = self.start = _renaming(self.start, uri)
+            self.expat.StartElementHandler = self.start = renaming(self.start, uri)
 
     def undeclare(self, prefix: str | None) -> None:
         """A prefix loses its latest namespace."""
@@ -593,18 +594,3 @@ class _Parser(Builder):
         """Text where elements are."""
         if not text.isspace():
             self.here(f"the text '{text.strip()[:40]}' belongs to no feature")
-
-
-def _renaming(start: Callable[[str, dict[str, str]], None], uri: str) -> Callable[[str, dict[str, str]], None]:
-    """The handler for a file of another year's XMI, whose `xmi:id`, `xmi:type` and `xmi:idref` are those that EMF has."""
-    theirs = f"{uri}}}"
-
-    def renamed(name: str) -> str:
-        return f"{XMI}}}{name[len(theirs) :]}" if name.startswith(theirs) else name
-
-    return lambda tag, attributes: start(tag, {renamed(name): text for name, text in attributes.items()})
-
-
-def _restoring(start: Callable[[str, dict[str, str]], None]) -> Callable[[str, dict[str, str]], None]:
-    """The handler with the characters in the attributes that XML cannot hold; ids and what refers to them stay the same."""
-    return lambda tag, attributes: start(tag, {name: restored(text) for name, text in attributes.items()})

@@ -9,6 +9,7 @@ would read as such an escape: then it is written as `␛241B`. The writer decide
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 _FORBIDDEN = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"  # XML 1.0, production Char
 _SYMBOL = "\u241b"
@@ -60,3 +61,8 @@ def restored(text: str) -> str:
 def may_contain_escapes(data: bytes) -> bool:
     """Whether an XML document may contain an escape; a fast check in UTF-8 that avoids examining each text."""
     return data[:2] in (b"\xff\xfe", b"\xfe\xff") or _POSSIBLE.search(data) is not None
+
+
+def restoring(start: Callable[[str, dict[str, str]], None]) -> Callable[[str, dict[str, str]], None]:
+    """A parser's handler of elements with the characters in the attributes that XML cannot hold."""
+    return lambda tag, attributes: start(tag, {name: restored(text) for name, text in attributes.items()})
