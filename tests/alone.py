@@ -28,6 +28,8 @@ KEPT = (
     os.path.realpath(cache_dir() / "templates"),
 )
 """Folders that may be used besides: for recorded models, for locks on output folders, and for compiled templates."""
+OWN_MEMORY = os.path.realpath("/proc/self/statm")
+"""How much memory this process has, which limits what a parse may take."""
 EVENTS = ("open", "os.listdir", "os.scandir", "sqlite3.connect")
 
 
@@ -64,7 +66,7 @@ def main(words: list[str]) -> int:
 
 def _may(path: str, allowed: list[str]) -> bool:
     """Whether a file may be opened; where the project's code lies may be listed, as an import does."""
-    if path in (os.devnull, str(ROOT)) or _within(path, allowed):
+    if path in (os.devnull, OWN_MEMORY, str(ROOT)) or _within(path, allowed):
         return True
     if _within(path, CODE):
         return not path.endswith(NEVER)
