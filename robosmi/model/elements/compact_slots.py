@@ -162,12 +162,12 @@ def _redirect(self: EReference, instance: EObject, value: Any) -> None:
 
     pyecore's setter only adds the new opposite.
     """
-    if REFUSAL in instance.__dict__:
-        raise instance.__dict__[REFUSAL](instance, key_of(self))
     opposite = self.eOpposite
     if value is not None and not self.many and value.__class__ is not EProxy and (self.containment or opposite is not None):
         former = _target_of(self, instance)
         if former is value:
+            if REFUSAL in instance.__dict__:
+                raise instance.__dict__[REFUSAL](instance, key_of(self))
             return
         instance.__dict__[key_of(self)].check(value)
         if self.containment:
