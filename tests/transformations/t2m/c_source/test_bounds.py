@@ -6,6 +6,9 @@ import json
 import os
 import subprocess
 import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -366,3 +369,29 @@ def test_the_parser_takes_no_more_memory_than_its_limit(tmp_path: Path, monkeypa
         read_program(path)
     path.write_text("int x[] = {[5] = 1};\n")
     assert read_program(path)[0].units
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux enforces the limit")
+def test_parses_of_several_threads_leave_limit_and_standard_error_as_they_were(monkeypatch: pytest.MonkeyPatch) -> None:
+    import resource
+
+    within = [threading.Event(), threading.Event()]
+    turn = iter(range(2))
+
+    def parse(*_: object) -> int:
+        number = next(turn)
+        within[number].set()
+        within[1 - number].wait(0.3)  # overlap if the other one may
+        if number == 1:
+            time.sleep(0.1)  # and end after it
+        return 1
+
+    monkeypatch.setattr(clang.library(), "parseTranslationUnit2", parse)
+    before = resource.getrlimit(resource.RLIMIT_DATA), os.fstat(2)[:3]
+    with ThreadPoolExecutor(2) as threads:
+        assert list(threads.map(lambda name: clang.parse(name, [], []), ["/a.c", "/b.c"])) == [None, None]
+    after = resource.getrlimit(resource.RLIMIT_DATA), os.fstat(2)[:3]
+    try:
+        assert after == before
+    finally:
+        resource.setrlimit(resource.RLIMIT_DATA, before[0])

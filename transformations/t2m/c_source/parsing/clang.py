@@ -16,6 +16,7 @@ from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, 
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 from robosmi import inputs
@@ -261,6 +262,9 @@ class ClangLibrary:
         self.index = self.createIndex(0, 0)
         self.own_index = self.createIndex(1, 0)
         self.spare = MOST_MEMORY
+        self.parsing = Lock()
+        """Held while the whole process has the limit of memory and no standard error: of two overlapping parses the later one
+        would put back what the earlier one has set."""
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
@@ -316,15 +320,16 @@ def parse(
     virtual = (UnsavedFile * len(files))(*files)
     unit = c_void_p()
     index = lib.own_index if own_only else lib.index
-    if lib.spare <= 0:
-        return None
-    held = _held()
-    with _limited(held + lib.spare), _silent():
-        code = lib.parseTranslationUnit2(
-            index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
-        )
-    if code != 0:
-        lib.spare -= max(0, _held() - held)
+    with lib.parsing:
+        if lib.spare <= 0:
+            return None
+        held = _held()
+        with _limited(held + lib.spare), _silent():
+            code = lib.parseTranslationUnit2(
+                index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
+            )
+        if code != 0:
+            lib.spare -= max(0, _held() - held)
     return unit.value if code == 0 and unit.value else None
 
 
