@@ -13,14 +13,11 @@ from typing import Any
 
 import pytest
 
+from robosmi.verify.toolchains.processor_time import used_s
+
 _DEAREST, _DEAR = 5, 1.0
 """So many tests are named, if they took more seconds than this."""
 _KEY = "processor_seconds"
-
-
-def taken() -> float:
-    """The processor seconds of this process so far, and of the programs that it started and waited for."""
-    return sum(os.times()[:4])
 
 
 class ProcessorSeconds:
@@ -44,11 +41,11 @@ class ProcessorSeconds:
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
         """Measure a test with its fixtures."""
-        begun = taken()
+        begun = used_s()
         try:
             return (yield)
         finally:
-            self._add(item.nodeid.partition("[")[0], taken() - begun)
+            self._add(item.nodeid.partition("[")[0], used_s() - begun)
             self.tests += 1
 
     def _add(self, name: str, seconds: float) -> None:
@@ -57,7 +54,7 @@ class ProcessorSeconds:
     @pytest.hookimpl(trylast=True)
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Hand over what a process of pytest-xdist has measured; the one that started it adds its own time."""
-        self.total += sum(os.times()[:2]) if self.starts else taken()
+        self.total += sum(os.times()[:2]) if self.starts else used_s()
         output = getattr(session.config, "workeroutput", None)
         if output is not None:
             output[_KEY] = {"seconds": self.seconds, "total": self.total, "tests": self.tests}

@@ -20,6 +20,8 @@ from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts,
 if TYPE_CHECKING:
     from robosmi.generate.three_way import Chunk
 
+CONFLICT = "RS511"
+"""The rule for edits of lines that the generated text changes, too."""
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
 
 
@@ -211,7 +213,7 @@ class _Merge:
                 begin = _Line(YOURS)
                 begin.notes.append(
                     (
-                        "RS511",
+                        CONFLICT,
                         Severity.error,
                         "your edit and the new text change the same lines: a conflict is marked",
                         "decide which lines stay and remove the markers; the old file is next to this one",

@@ -21,11 +21,9 @@ import subprocess
 import threading
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 from time import monotonic
 from typing import TypeVar
 
-from robosmi import inputs
 from robosmi.base.data_text import as_list, as_whole
 from robosmi.errors import UsageError
 from robosmi.verify.bench import ADDRESSES, AIMS, WRITTEN, Bench, Level, device_class
@@ -34,7 +32,7 @@ from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.sandbox import refusal
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinChange, Wave
 from robosmi.verify.toolchains.processes import ending_with_us
-from robosmi.verify.toolchains.processor_time import HANGS
+from robosmi.verify.toolchains.processor_time import HANGS, ticks_asleep
 
 STATES = {"running": "running", "finished": "done"}
 """Status of a run -> state of its trace; any other status is `crashed`."""
@@ -238,20 +236,19 @@ class _Conversation:
         Raises:
             _StuckError: it sleeps, too, until it is sent something.
         """
-        before = ""
+        before: int | None = None
         while not self._readable.poll(_PATIENCE_MS):
             now = self._sleeping()
-            if now and now == before:
+            if now is not None and now == before:
                 raise _StuckError
             before = now
 
-    def _sleeping(self) -> str:
-        """The processor time that the process has used, if it sleeps; else nothing."""
+    def _sleeping(self) -> int | None:
+        """The ticks of processor time that the process has used, if it sleeps."""
         try:
-            words = inputs.read_text(Path(f"/proc/{self.process.pid}/stat"), inputs.SETTINGS).rpartition(")")[2].split()
+            return ticks_asleep(self.process.pid)
         except OSError:
-            return ""
-        return f"{words[11]} {words[12]}" if words[0] == "S" else ""
+            return None
 
     def _records(self) -> bytes:
         """The records that are there, at least one; none if the process has ended."""

@@ -12,6 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.quantities import quantity
+from robosmi.generate.merge_edits import CONFLICT
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plans.answers import answer
@@ -183,10 +184,6 @@ def result_in_words(plan: migration.MigrationPlan, screen: FirstScreen, errors: 
     return _RESULTS.get(verdict, ("not-verified", "Not verified: not compared with the original yet"))
 
 
-CONFLICT = "RS511"
-"""The rule for a marked conflict between an edit and the generated text."""
-
-
 def _unbound(plan: migration.MigrationPlan) -> int:
     """How many calls of a program whose platform stays do nothing, as no port that they may reach has a pin."""
     return Work(plan).calls[WAITS] if retains_platform(plan) and not open_choices(plan) else 0
@@ -340,7 +337,7 @@ def _task(plan: migration.MigrationPlan, task: migration.PlanTask, *, short: boo
     return Item(f"{message}{place}", more=more, rule=str(task.rule), effort=str(task.effort), done=bool(task.done))
 
 
-_SAYS_HOW = frozenset({"RS503", "RS504", "RS511"})
+_SAYS_HOW = frozenset({"RS503", "RS504", CONFLICT})
 """Rules of tasks that are each done differently, so that their lines say how."""
 
 

@@ -139,12 +139,14 @@ def _bind_table(target: str | None, project: Project) -> str:
 
 def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
     """The report of a generation, whether from sources or from a stored plan."""
+    from robosmi.generate.merge_edits import CONFLICT
+
     report.rest, report.findings, report.tasks = made.result, list(made.findings), list(made.tasks())
     report.artifacts = made.artifacts()
     report.lines = made.lines()
     report.judge(severity, accept)
     marked = dict.fromkeys(
-        str(task.location.path) for task in report.tasks if task.rule == _CONFLICT and task.location is not None
+        str(task.location.path) for task in report.tasks if task.rule == CONFLICT and task.location is not None
     )
     if made.written and marked:
         report.next = f"solve the conflicts in {', '.join(str(made.output / name) for name in marked)}, then migrate again"
@@ -153,7 +155,6 @@ def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], ac
     return report
 
 
-_CONFLICT = "RS511"
 SHOWN = 7
 NONE = "none"
 

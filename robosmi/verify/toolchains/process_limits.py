@@ -15,6 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from robosmi import inputs
+from robosmi.verify.toolchains.processor_time import ticks_asleep
 
 MEMORY_MB, PROCESSOR_S, FILE_MB = 500, 10, 256
 """Limits of each process: of its address space, of its processor time, and of the length of a file that it writes."""
@@ -84,26 +85,24 @@ class IdleWatch:
 
     def __init__(self, process: int) -> None:
         self.process = process
-        self.seen: dict[int, int] = {}
+        self.seen: dict[int, int | None] = {}
         self.looks = 0
 
     def look(self) -> bool:
         """Whether it, and all that it has started, slept and used no processor time at each of the last `WAITS_LOOKS` looks."""
         now = dict(_sleeping(self.process))
-        self.looks = self.looks + 1 if now and now == self.seen and -1 not in now.values() else 0
+        self.looks = self.looks + 1 if now and now == self.seen and None not in now.values() else 0
         self.seen = now
         return self.looks >= WAITS_LOOKS
 
 
-def _sleeping(process: int) -> Iterator[tuple[int, int]]:
-    """A process and those that it has started, each with its ticks of processor time; -1 for one that does not sleep."""
+def _sleeping(process: int) -> Iterator[tuple[int, int | None]]:
+    """A process and those that it has started, each with its ticks of processor time; None for one that does not sleep."""
     todo = [process]
     while todo:
         one = todo.pop()
         with suppress(OSError):  # it has ended, or this system does not tell
-            told = inputs.read_text(Path(f"/proc/{one}/stat"), inputs.RECORD, errors="replace")
-            state, *numbers = told.rpartition(") ")[2].split()
-            yield one, int(numbers[10]) + int(numbers[11]) if state == "S" else -1
+            yield one, ticks_asleep(one)
         todo += _started_by(one)
 
 

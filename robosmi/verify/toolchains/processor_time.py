@@ -7,6 +7,9 @@ from __future__ import annotations
 
 import math
 import os
+from pathlib import Path
+
+from robosmi import inputs
 
 HANGS = 10
 """How many times its processor time a run may take by the clock, beside other work."""
@@ -16,6 +19,17 @@ def used_s() -> float:
     """The seconds of processor time that this process has used until now, with all its children that have ended."""
     used = os.times()
     return used.user + used.system + used.children_user + used.children_system
+
+
+def ticks_asleep(process: int) -> int | None:
+    """The ticks of processor time that a process has used, if it sleeps; None if it does not.
+
+    Raises:
+        OSError: it has ended, or this system does not tell.
+    """
+    told = inputs.read_text(Path(f"/proc/{process}/stat"), inputs.RECORD, errors="replace")
+    state, *numbers = told.rpartition(") ")[2].split()
+    return int(numbers[10]) + int(numbers[11]) if state == "S" else None
 
 
 def bound_own(seconds: float) -> None:

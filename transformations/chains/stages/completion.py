@@ -17,6 +17,7 @@ from robosmi.chain import Chain
 from robosmi.generate import Generation
 from robosmi.generate.last_generated import MergedTexts
 from robosmi.generate.manifest import Manifest
+from robosmi.generate.merge_edits import CONFLICT
 from robosmi.generate.output_paths import Places
 from robosmi.generate.record import Record
 from robosmi.generate.result import FileChange
@@ -30,7 +31,7 @@ from robosmi.transformations.chains.stages.compiler_errors import (
     parsed_program,
     source_place,
 )
-from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT, conflicts
+from robosmi.transformations.chains.stages.conflicts import conflicts
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
 from robosmi.transformations.chains.stages.pin_check import pin_findings
 from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits

@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from robosmi.generate.merge_edits import BASE, GENERATED, MIDDLE, YOURS
+from robosmi.generate.merge_edits import BASE, CONFLICT, GENERATED, MIDDLE, YOURS
 from robosmi.metamodels import migration
 
-RULE = "RS511"
-"""The rule for edits of lines that the generated text changes, too."""
 _MARKS = tuple(mark.strip().encode() for mark in (YOURS, BASE, GENERATED))
 _ORDER = (BASE, MIDDLE, GENERATED)
 
@@ -42,7 +40,7 @@ def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
         message = "a conflict's markers are damaged: decide which lines stay"
         fix = "remove its remaining markers from the file, then migrate again"
         error, line = migration.SeverityLevel.error, marked[0] + 1
-        yield migration.PlanTask(rule=RULE, severity=error, message=message, path=name, line=line, effort="small", fix=fix)
+        yield migration.PlanTask(rule=CONFLICT, severity=error, message=message, path=name, line=line, effort="small", fix=fix)
     at = 0
     while at < len(lines):
         if lines[at] != YOURS:
@@ -56,7 +54,7 @@ def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
             )
             parts.append("".join(lines[begin:at]).rstrip("\n"))
         yield migration.PlanTask(
-            rule=RULE,
+            rule=CONFLICT,
             severity=migration.SeverityLevel.error,
             message="your edit and the newly generated text change the same lines: decide which stay",
             path=name,
