@@ -15,6 +15,7 @@ import pytest
 from tests.growing import FAMILIES, Growing
 from tests.new_objects import only_new_objects
 from tests.running import run
+from tests.tiers import sample
 
 BOUND, NOISE = 9.0, 0.15
 """Times that four times the input may cost, and seconds of a measurement that mean nothing."""
@@ -81,7 +82,7 @@ def seconds(family: Growing, n: int, folder: Path, monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.measures
-@pytest.mark.parametrize("name", SIZES)
+@pytest.mark.parametrize("name", sample(SIZES, 24))
 def test_the_cost_grows_with_the_input_alone(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     family, n = next(f for f in FAMILIES if f.name == name), SIZES[name]
     for attempt in range(3):  # a collection of garbage or a busy machine may hit one measurement, not all

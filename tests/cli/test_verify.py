@@ -19,6 +19,7 @@ from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import FILE
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
 from tests.running import run, tree
+from tests.tiers import sample
 from tests.tools import require_verification
 
 HERE = Path(__file__).parent
@@ -44,6 +45,22 @@ def out(made: Path, tmp_path: Path) -> Path:
     """A copy of it."""
     shutil.copytree(made, tmp_path / "out")
     return tmp_path / "out"
+
+
+@pytest.fixture(scope="module")
+def made_and_searched(made: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The migrated button program with the scenarios that a search has found, made once."""
+    folder = tmp_path_factory.mktemp("searched") / "out"
+    shutil.copytree(made, folder)
+    verify(folder)
+    return folder
+
+
+@pytest.fixture
+def searched(made_and_searched: Path, tmp_path: Path) -> Path:
+    """A copy of it."""
+    shutil.copytree(made_and_searched, tmp_path / "searched")
+    return tmp_path / "searched"
 
 
 @pytest.fixture
@@ -159,45 +176,41 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     return seeds
 
 
-def test_an_edit_of_the_sketch_needs_no_new_search(out: Path, searches: list[int]) -> None:
-    first = verify(out)
-    sketch = out / "button" / "button.ino"
+def test_an_edit_of_the_sketch_needs_no_new_search(searched: Path, searches: list[int]) -> None:
+    first = verify(searched)
+    sketch = searched / "button" / "button.ino"
     text = sketch.read_text()
     sketch.write_text(text.replace("presses++;", "presses = presses + 1;"))
-    again = verify(out)
-    assert searches == [1]
+    again = verify(searched)
     told = ("branches_pct", "lines_pct", "racy", "racy_branches", "missed_branches")
     assert [getattr(again.verdict, name) for name in told] == [getattr(first.verdict, name) for name in told]
     assert again.verdict.verdict == NO_DIFFERENCE
     sketch.write_text(text.replace("presses++;", "presses += 2;"))
-    assert verify(out).verdict.verdict == DIFFERENT_VERDICT
-    assert searches == [1]
+    assert verify(searched).verdict.verdict == DIFFERENT_VERDICT
+    assert searches == []
 
 
-def test_what_the_search_depends_on_makes_it_search_again(out: Path, searches: list[int]) -> None:
-    verify(out)
-    folder = out / "models" / "scenarios"
+@pytest.mark.parametrize("damaged", sample(["{", "[]", '{"search": 1}'], 1))
+def test_what_the_search_depends_on_makes_it_search_again(damaged: str, searched: Path, searches: list[int]) -> None:
+    folder = searched / "models" / "scenarios"
     stored = sorted(folder.glob("*.toml"))
-    verify(out, seed=2)
-    assert searches == [1, 2]
+    verify(searched, seed=2)
+    assert searches == [2]
     stored[-1].unlink()
-    verify(out, seed=2)
-    assert searches == [1, 2, 2]
-    for damaged in ("{", "[]", '{"search": 1}'):
-        (folder / FILE).write_text(damaged)
-        verify(out, seed=2)
-    assert searches == [1, 2, 2, 2, 2, 2]
+    verify(searched, seed=2)
+    assert searches == [2, 2]
+    (folder / FILE).write_text(damaged)
+    verify(searched, seed=2)
+    assert searches == [2, 2, 2]
 
 
-def test_two_runs_at_once_store_each_scenario_once(out: Path, tmp_path: Path) -> None:
-    shutil.copytree(out, tmp_path / "alone")
-    assert run("verify", tmp_path / "alone").code == 0
+def test_two_runs_at_once_store_each_scenario_once(out: Path, searched: Path) -> None:
     command = [sys.executable, "-m", "robosmi", "verify", str(out)]
     both = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for _ in range(2)]
     for each in both:
         said, _ = each.communicate(timeout=300)
         assert each.returncode == 0, said
-    assert tree(out / "models" / "scenarios") == tree(tmp_path / "alone" / "models" / "scenarios")
+    assert tree(out / "models" / "scenarios") == tree(searched / "models" / "scenarios")
 
 
 def test_what_does_not_compile_is_said(out: Path, pressed: Path) -> None:
