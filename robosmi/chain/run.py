@@ -1,12 +1,11 @@
-"""One run of a chain: decides which steps have to be done, holds the models between them, and remembers the results.
+"""One run of a chain: decides which steps to do, holds the models between them, and remembers the results.
 
 A step is up to date if the digest of its inputs equals that of its last run and its outputs still exist. A model is read or
 made only when a step needs it. A run stays usable: read a value, set another one (`give`), read again; then only what
 depends on it is done again. A recomputed value that equals the old one counts as unchanged.
 
-Also: checks whether a value has the type that a function's annotation promises, for functions that replace a step.
-
-Only the type itself and the members of tuples and unions are checked, not the contents of lists and mappings.
+The value of a function that replaces a step must have the type that the function's annotation promises. Only the type itself
+and the members of tuples and unions are checked, not the contents of lists and mappings.
 """
 
 from __future__ import annotations
@@ -410,6 +409,9 @@ class ChainRun:
         self.state.steps[step.name] = StepState(
             inputs, result.outputs, findings, result.state == "failed", result.changes, result.read
         )
+
+
+# ---- the type of a step's value
 
 
 def unlike(value: Any, function: Function) -> str:

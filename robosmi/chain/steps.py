@@ -1,9 +1,7 @@
 """The steps of a chain: their kind, inputs and outputs, and the result of doing them.
 
-`languages` implements the kinds, `run` decides when a step has to be done. Nothing slow is imported here: a chain of plain
-functions costs no more than the functions.
-
-Also: the .ecore files that metamodels consist of: those that are named, and those that these refer to, however far.
+A metamodel is an input with all .ecore files that it refers to, directly or not. `languages` implements the kinds, `run` decides
+when a step has to be done. Nothing slow is imported here: a chain of plain functions costs no more than the functions.
 """
 
 from __future__ import annotations
@@ -145,6 +143,8 @@ def relative(path: Path, folder: Path) -> str:
     """A path as the chain writes it."""
     return Path(os.path.relpath(path, folder)).as_posix()
 
+
+# ---- the files of metamodels
 
 _REFERRING = ("eClassifier", "eExceptions", "eKeys", "eOpposite", "eRawType", "eSuperTypes", "eType", "eTypeParameter", "href")
 """The attributes of a node that hold references."""

@@ -1,14 +1,11 @@
 """The entry point: reads the arguments, runs one command, prints its report, turns errors into exit codes.
 
-Each command is a module of this package with `configure(parser)` and `run(arguments) -> Report`; only the one that is
-asked for is imported. With `--json`, stdout is exactly one document, also when the command failed.
+Each command is a module of `commands` with `configure(parser)` and `run(arguments) -> Report`; only the requested one is
+imported. Its example, from `EXAMPLES`, ends its `--help`. With `--json`, stdout is exactly one document, also when the command
+fails.
 
-Also: an example of each command, as its `--help` shows it at the end.
-
-Also: turns system failures that end a command into errors with a cause and advice.
-
-Examples are a full disk, no memory, too deeply nested text, an incomplete installation, and a removed folder. Any other
-unexpected exception is a bug of ours.
+A failure of the system that ends a command becomes an error with a cause and advice: a full disk, no memory, too deeply nested
+text, an incomplete installation, a removed folder. Any other unexpected exception is a bug of ours.
 """
 
 from __future__ import annotations

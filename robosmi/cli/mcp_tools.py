@@ -1,13 +1,11 @@
-"""The MCP server: robosmi's commands as tools for an assistant, whose paths all lie below one folder.
+r"""The MCP server: robosmi's commands as tools for an assistant, whose paths all lie below one folder.
 
-Each tool's arguments are the command's, its answer is the command's JSON document with `exit_code`. How commands are run and
-confined is in `mcp_commands`.
+The arguments of a tool are those of the command; its answer is the command's JSON document with `exit_code`. How commands are run
+and confined is in `mcp_commands`.
 
-Also: the MCP server's standard streams: a line that the protocol's package cannot read is answered, too.
-
-The package drops such a line without a word, so that its sender waits for ever: text with half of a character (an escape such as
-\ud800 alone), a request of another form, no JSON at all. Here it is answered with an error of JSON-RPC. What the tools are is
-said in `mcp_tools`.
+Each line on standard input gets an answer. The protocol's package drops a line that it cannot read, so that its sender waits for
+ever: text with half of a character (an escape such as \ud800 alone), a request of another form, no JSON at all. Here
+such a line is answered with an error of JSON-RPC.
 """
 
 from __future__ import annotations
@@ -234,6 +232,8 @@ def _no_options(words: list[str]) -> list[str]:
         raise UsageError(f"'{odd[:60]}' is neither a rule nor a choice", fix="give a name")
     return words
 
+
+# ---- messages that cannot be read
 
 Item = SessionMessage | Exception
 

@@ -4,11 +4,8 @@ The template's syntax tree is walked once, when it is read: the text between the
 (`languages`), and a quoting filter is wrapped around values from outside. Literal texts of the template are not quoted, nor is
 what `| safe` or a function of `robosmi.quoting` marks. A template without the declaration is unchanged and prints as EGL does.
 
-Also: detects template text that could combine with a printed value into something else: the end of a comment, an escape, a URL.
-
-The functions of `robosmi.quoting` quote a value for its place, independently of the text beside it. This module checks the
-template's text directly before and after a value, which become adjacent if the value is empty. Dangerous places are refused
-when the template is read. Texts are the template's own, with `VALUE` for each value in them.
+A quoted value is right for its place whatever the text beside it, but two texts may combine: an empty value makes those before
+and after it adjacent, and so the end of a comment, an escape or a URL. A template with such a place is refused when it is read.
 """
 
 from __future__ import annotations
@@ -152,6 +149,8 @@ class _Walk:
     def _error(self, node: nodes.Node, message: str) -> TemplateSyntaxError:
         return TemplateSyntaxError(message, node.lineno, self.name, self.filename)
 
+
+# ---- texts beside a value: the template's own, with `VALUE` for each value in them
 
 VALUE = "\ue000"
 """The placeholder for a printed value in the text of a template."""

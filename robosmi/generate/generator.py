@@ -1,4 +1,4 @@
-"""`Gen`, the mirror of EGX and EGL: generation rules over models, templates in Jinja2, files written all or none.
+"""`Gen`, the counterpart of EGX and EGL: generation rules over models, templates in Jinja2, files written all or none.
 
     g = Gen("out", "templates", [L])
 
@@ -8,13 +8,10 @@
 
     g.run()
 
-Rules are `rules`', texts `templates`', files `staging`'s. docs/reference/egl.md sets EGL and EGX beside this.
-
-Also: the generation rules of EGX: for which elements which template makes which file, and with which values.
-
-A rule is a function: its name is the rule's, its parameter the name by which the template knows the element, its result the
-template's further values. The order of evaluation is the engine's: guard, pre, the flags, template, the function, target, then
-text and file, post. `gen` writes the files.
+A rule says for which elements which template makes which file. It is a function: its name is the rule's, its parameter the name
+by which the template knows the element, its result the template's further values. The order of evaluation is the engine's: guard,
+pre, the flags, template, the function, target, then text and file, post. `templates` renders the texts, `staging` writes the
+files. docs/reference/egl.md compares EGL and EGX with this.
 """
 
 from __future__ import annotations
@@ -333,6 +330,8 @@ class Gen(Settings):
             self._put(target, text, flags, rule.name, element)
         return text
 
+
+# ---- rules
 
 Flag: TypeAlias = "bool | Function"
 Formatter = Callable[[str], str]

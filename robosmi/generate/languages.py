@@ -3,10 +3,9 @@
 A language reads the template's own text piece by piece; the values printed between the pieces are quoted and so do not change
 the state. `contexts` adds the quoting to a template; `quoting_filters` maps a place to its function of `robosmi.quoting`.
 
-Also: where a value may be printed in YAML, TOML or CSV: only as a whole value at a place where one is expected.
-
-A value next to other characters of its line would become part of a longer value with quotation marks inside, and one in a
-multi-line string could end it. Such places are refused; in a YAML block scalar (`|`, `>`) a value is a line.
+In YAML, TOML and CSV a value may be printed only as a whole value at a place where one is expected. Next to other characters of
+its line it would become part of a longer value with quotation marks inside, and in a multi-line string it could end the string.
+Such places are refused; in a YAML block scalar (`|`, `>`) a value is a line.
 """
 
 from __future__ import annotations
@@ -17,6 +16,8 @@ from typing import Any, TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
+
+# ---- YAML, TOML, CSV
 
 _DASHES = re.compile(r"[ \t]*(?:[-?][ \t]+)*")
 _BLOCK = re.compile(r"(?:^|(?:^|[\s:])[:?-][ \t]+|[\w\"')][ \t]*:[ \t]+)(?:[&!]\S+[ \t]+)*[|>](?P<more>[-+0-9]*)[ \t]*(?:#.*)?$")
@@ -145,6 +146,8 @@ def _brackets(line: str, depth: int, quote: str, quotes: tuple[str, ...]) -> tup
         place += 1
     return depth, quote
 
+
+# ---- languages: C, Markdown, HTML, Graphviz
 
 State = TypeVar("State")
 NOWHERE = ""

@@ -1,21 +1,16 @@
-"""Renders Jinja2 templates like EGL's, to a `Text` that knows the elements it came from; errors have their place in the
-template.
+"""Renders Jinja2 templates like EGL's, to a `Text` that knows the elements it came from; errors have their place in the template.
 
 Templates come from folders or from a mapping of texts. Undefined names, features included, are errors; lines with nothing but a
-tag are dropped; values print as in EOL. `gen` decides which template is used for which element and file.
+tag are dropped; values print as in EOL. `generator` decides which template is used for which element and file.
 
-Also: what a template may read and call: Jinja's sandbox, restricted to reading where parts of models are concerned.
+Templates run in Jinja's sandbox. Of parts of models they may only read and call what `robosmi.model.elements.reachable` lists, as
+queries do. Every access asks for this, so results are cached by class and name. Values that a Python program passes to its
+templates are not restricted.
 
-`robosmi.model.elements.reachable` lists the readable attributes of elements, collections, models and types, for queries as
-well. The environment of `templates` calls this module for every access, so results are cached by class and name. Values that a
-Python program passes to its templates are not restricted.
+Compiled templates are cached in the user's cache folder, since compiling takes longer than rendering. The key consists of the
+text, Jinja's version and our own modules.
 
-Caches compiled templates in the user's cache folder between runs, since compiling takes longer than rendering.
-
-The cache contains the code that Jinja made of a template's text; the key consists of the text, Jinja's version and our own
-modules.
-
-Also: ids of regions, derived from the model so that a person's text stays with its element.
+The id of a region is derived from the model (`region_id`), so that a user's text stays with its element.
 """
 
 from __future__ import annotations
@@ -334,6 +329,8 @@ def _loader(where: Where) -> jinja2.BaseLoader:
     return TemplateFiles([str(folder) for folder in listed], found=False)
 
 
+# ---- what a template may read and call
+
 _OF_PATHS = frozenset(name for name in dir(PurePath) if not name.startswith("_"))
 _CLOSED = (ModuleType, CodeType, FrameType, TracebackType, partial, partialmethod)
 _WATCHED = (FunctionType, MethodType)
@@ -375,6 +372,8 @@ def may_call(function: Any) -> bool:
     return True
 
 
+# ---- the cache of compiled templates
+
 _MODULES = (
     "robosmi.generate.contexts",
     "robosmi.generate.languages",
@@ -404,6 +403,9 @@ class TemplateCache(jinja2.BytecodeCache):
     def dump_bytecode(self, bucket: Bucket) -> None:
         """Cache the code of a template."""
         write_cached(self._name(bucket), bucket.bytecode_to_string())
+
+
+# ---- ids of regions
 
 
 def region_id(element: Item, *purpose: str) -> str:

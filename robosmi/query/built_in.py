@@ -1,12 +1,9 @@
 """The built-in operations put together: which function or method each name means, by kind of target, and how `q.name` is read.
 
-The functions are in `anything`, `numbers`, `strings`, `operators`, `built_in`, and are methods of the collections and maps.
+Operations on elements and other values are functions of `any_operations`, `numbers`, `strings` and `operators`, or methods of the
+collections and maps. Those on types, models and enumeration literals are here: `call` and `get` use them by name, and each takes
+the type or model first. In Python one writes `m.Book.all`, `m.owns(x)`, `m.create(...)`: see `ModelView`.
 How a name finds its operation is in `operations`, which knows none of them, since many of them call operations by name.
-
-Also: EOL's operations on types, models and enumeration literals, for `call` and `get` by name; each takes the type or model
-first.
-
-In Python one writes `m.Book.all`, `m.owns(x)`, `m.create(...)`: see `ModelView`. Operations on elements are in `anything`.
 Source: EolModelElementType, IModel and ModelElementTypeOperations of Epsilon.
 """
 

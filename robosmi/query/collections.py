@@ -3,13 +3,12 @@
 `Q(items)` takes any iterable and reads it once. `q.name` collects a property of every item (a Sequence, of a Set or Bag a Bag;
 not flattened). Operations that give a collection give a new one; those that change it itself are in `changes`. All but `Lazy` is
 eager. Here are the classes, which make one another, and the operations whose result is of another kind; the others are inherited:
-those that take a function are in `first_order`, the rest in `items`, those on numbers in `totals`, those of maps in `maps`.
-Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
+those that take a function are in `first_order`, the rest in `items`, those of maps in `maps`, those on numbers in `Totals`.
 
-Also: what collections say of the numbers in them: sum, product, least and greatest. Other items are passed over.
-
-Integers have 32 bits, and 64 as soon as a Long is among them, so a sum wraps around as the engine's does.
-Source: IterableOperationContributor and NumberUtil of Epsilon.
+Sum, product, least and greatest pass over items that are no numbers. Integers have 32 bits, and 64 as soon as a Long is among
+them, so a sum wraps around as the engine's does.
+Sources: Kolovos et al., The Epsilon Object Language, section 3.2; IterableOperationContributor and NumberUtil of Epsilon;
+measured against Epsilon (docs/reference/eol.md).
 """
 
 from __future__ import annotations

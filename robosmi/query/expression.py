@@ -1,15 +1,11 @@
 """Queries given as text: a Python expression over models' types and this package's functions, and nothing else of Python.
 
 `evaluate` accepts expressions only, with lambdas and comprehensions. Names are the types, the models and `NAMES`; there are no
-builtins. No attribute starts with an underscore, and attributes are read from values of queries alone: elements, collections,
-texts, numbers, models (to look, not to change or store). No type is called. So no frame, module, class or file
-is within reach; what may be read and called is `reachable`'s business, and how a value is shown is `answers`'.
-
-Also: what a query given as text may read, call and compute: checked by `expression` at each `a.b`, `f(x)`, `a ** b`.
-
-It may read values of queries only, and of parts of models what `robosmi.model.elements.reachable` lists. It may call functions
-of the expression, of `robosmi.query`, and readable methods, but never a type, nor anything else contained in a value.
-`expression` lists the functions that it may name.
+builtins. Each `a.b`, `f(x)` and `a ** b` is checked when it is evaluated. No attribute starts with an underscore, and attributes
+are read from values of queries alone: elements, collections, texts, numbers, models (to look, not to change or store); of parts
+of models only what `robosmi.model.elements.reachable` lists. Only functions of the expression, functions of `robosmi.query` and
+readable methods are called; no type is, nor anything else contained in a value. So no frame, module, class or file is within
+reach. How a value is shown is in `answers`.
 """
 
 from __future__ import annotations

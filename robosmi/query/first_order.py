@@ -1,14 +1,13 @@
-"""The first-order operations of collections: those that take a function of one item.
+"""The first-order operations of collections, those that take a function of one item, and the order that `sort_by` goes by.
 
 Written once for the four kinds of collection. Eager as EOL's are; `exists`, `for_all`, `one`, `none`, `select_one` and the
 `n_match` family stop as soon as the answer is known. Every operation takes `kind=T`, EOL's typed iterator `x : T`: items of other
 kinds are left out first. Operations whose result is of another kind (`collect`, `map_by`) are in `collections`, their loops here.
-Source: Kolovos et al., The Epsilon Object Language, section 3.2.2; measured against Epsilon (docs/reference/eol.md).
 
-Also: the order that `sort_by` goes by.
-
-Numbers are compared by value, texts with texts, Booleans with Booleans; with a None, an element or a collection in
-a comparison, both sides are compared as texts. Source: SortByOperation of Epsilon. Nothing here is called by users.
+`sort_by` compares numbers by value, texts with texts, Booleans with Booleans; with a None, an element or a collection in a
+comparison, both sides are compared as texts.
+Sources: Kolovos et al., The Epsilon Object Language, section 3.2.2; SortByOperation of Epsilon; measured against Epsilon
+(docs/reference/eol.md).
 """
 
 from __future__ import annotations
@@ -219,6 +218,8 @@ def _many(value: Any) -> list[Any]:
         return [x for x in value if x is not None]
     return [value]
 
+
+# ---- sorting
 
 _NUMBERS = frozenset({int, float, Long})
 _UNORDERED: Any = vars(object)["__lt__"]

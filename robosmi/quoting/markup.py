@@ -1,8 +1,7 @@
-"""Texts in HTML, XML and SVG, in Graphviz and in PlantUML.
+"""Texts in HTML, XML and SVG, in Graphviz, in PlantUML and in Markdown.
 
-Also: texts in Markdown as CommonMark and GitHub read it: shown letter by letter, never a link, an image, a tag or a heading.
-
-A text that is shown as it is stays as it is: a `*` that ends no emphasis, the `<` of `<stdio.h>`, an underscore inside a word.
+Markdown is as CommonMark and GitHub read it. A text is shown letter by letter, never as a link, an image, a tag or a heading.
+Only characters that would act are escaped: a `*` that ends no emphasis, the `<` of `<stdio.h>`, an underscore inside a word stay.
 """
 
 from __future__ import annotations
@@ -85,6 +84,8 @@ def plantuml(text: str, *, begins: bool = False) -> str:
     line = line.lstrip() if begins else line
     return (_BEGINS if begins else _ACTS).sub(lambda found: f"<U+{ord(found[0]):04X}>", line)
 
+
+# ---- Markdown
 
 _ACTS = re.compile(r"""["]|<(?=[A-Za-z/&$#:])|%(?=\w)|\$(?=\w)|\[(?=\[)|(?<=/)'|@(?=start|end)""")
 _BEGINS = re.compile(rf"^[^\w\s]|{_ACTS.pattern}")  # directives, comments, separators and braces begin their line

@@ -1,13 +1,11 @@
 """The search terms of a part: its words and model numbers with weights, those the lexicon adds, and its interface.
 
-The title counts most, tags and properties less, the description least, since it also mentions other things. Recognised devices
-add the words that libraries use if the part has a trade name only. `evidence` scores libraries with these terms.
+The title counts most, tags and properties less, the description least, since it also mentions other things.
 
-Also: finds the devices of the lexicon that a part names in its title, family, tags, properties or description, and how surely.
-
-A model number or trade name is stronger than a kind of device, a title stronger than a tag, several words stronger than one.
-The part's interface (two pins SDA and SCL, "IIC" in its name) selects the variant of a device with that interface. `evidence`
-derives what this means for libraries.
+Devices of the lexicon that the part names add the words that libraries use if the part has a trade name only. How sure this is
+depends on the text: a model number or trade name is stronger than a kind of device, a title stronger than a tag, several words
+stronger than one. The part's interface (two pins SDA and SCL, "IIC" in its name) selects the variant of a device with that
+interface. `evidence` scores libraries with these terms.
 """
 
 from __future__ import annotations
@@ -132,6 +130,8 @@ def _add(
             weights[word] = weight
             origin[word] = where
 
+
+# ---- devices that a part names
 
 _WEIGHTS = {"title": 1.0, "property": 0.9, "family": 0.8, "tag": 0.75, "description": 0.35}
 _SILENT = frozenset(

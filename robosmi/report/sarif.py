@@ -1,15 +1,12 @@
 """A report's findings and tasks in SARIF 2.1.0, the form that code scanning services, editors and viewers read.
 
-https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html; section numbers below are of that text. Columns, which findings
-count in bytes, are counted in characters here, for which the files are read again; `sarif` does both. Same findings and
-same files give the same bytes.
+https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html; section numbers below are of that text. Same findings and same
+files give the same bytes.
 
-Also: places of findings as SARIF has them: addresses relative to a base, regions counted in characters, the text that stands
-there.
-
-Findings count columns in bytes, as compilers do. A column of a file that cannot be read, or that is no text, is left out rather
-than told wrong. What is in a file that is no text, such as an archive, has the whole file for its region, in bytes, and so has
-what is about a whole text, in lines.
+Addresses are relative to a base. Columns, which findings count in bytes as compilers do, are counted in characters here, so the
+files are read again; the text at a place is shown with it. A column of a file that cannot be read, or that is no text, is left
+out rather than wrong. A finding in a file that is no text, such as an archive, has the whole file for its region, in bytes; a
+finding about a whole text has it in lines.
 """
 
 from __future__ import annotations
@@ -198,6 +195,8 @@ def _fingerprint(finding: Finding, places: SarifPlaces, seen: Counter[str]) -> s
     seen[key] += 1
     return f"{key}:{seen[key]}"
 
+
+# ---- places
 
 ROOT_ID = "SRCROOT"
 """The conventional name of the folder that sources are relative to (3.14.14)."""

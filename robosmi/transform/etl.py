@@ -3,9 +3,8 @@
 It contains rules, pre and post blocks and included modules, runs them on models, and looks up the equivalents of elements.
 Targets are made in the target models; nothing is written to a file here.
 
-Also: the two schedules of ETL: `Match` (all targets first, then the bodies) and `Demand` (each target with its body).
-
-`etl` selects one of them. Both follow Epsilon's engine as measured; docs/reference/etl.md lists the differences.
+ETL has two schedules: `Match` makes all targets first, then runs the bodies; `Demand` makes each target with its body. Both
+follow Epsilon's engine as measured; docs/reference/etl.md lists the differences.
 """
 
 from __future__ import annotations
@@ -265,6 +264,9 @@ def _is_collection(value: Sources) -> TypeGuard[Iterable[Item]]:
     if known is None:
         known = _COLLECTIONS[cls] = collection_kind(value) is not None
     return known
+
+
+# ---- schedules
 
 
 class Schedule(ABC):

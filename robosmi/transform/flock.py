@@ -1,13 +1,11 @@
 """`Flock`: the migration of models whose metamodel has changed, corresponding to a Flock script.
 
 It makes three passes over the original model in containment order: targets, conservative copy, rules. Types are given as texts,
-since either metamodel may lack them, or as types of the models. `flock` implements the copy.
+since either metamodel may lack them, or as types of the models.
 
-Also: flock's conservative copy: copies the features of an element that the newer metamodel still accepts.
-
-A feature is copied if the new class has one of that name and the value conforms to it; all others are dropped, and only lost
-enumeration literals are reported. For EMF models only. Source: Rose et al., Model Migration with Epsilon Flock (ICMT 2010), and
-measurements (docs/reference/flock.md).
+The conservative copy takes over a feature if the new class has one of that name and the value conforms to it; all others are
+dropped, and only lost enumeration literals are reported. For EMF models only. Source: Rose et al., Model Migration with Epsilon
+Flock (ICMT 2010), and measurements (docs/reference/flock.md).
 """
 
 from __future__ import annotations
@@ -371,6 +369,8 @@ def _path(kind: Type) -> list[str]:
         package = package.eSuperPackage
     return parts
 
+
+# ---- the conservative copy
 
 _BOXED = {
     "boolean": "java.lang.Boolean", "byte": "java.lang.Byte", "char": "java.lang.Character", "double": "java.lang.Double",

@@ -1,13 +1,9 @@
 """Runs the original program in a process of its own and in virtual time, with the devices that a simulator would have.
 
 The process may only read and write its two pipes (see `sandbox`). It reports what happens at its pins, and asks back when it
-reaches the time of a device's action or changes a pin that a device is connected to; the devices, on a `Bench`, answer. So a run
-is reproducible, however fast this machine is. A `Variation` changes the costs of the program's steps, to find out whether its
-behaviour depends on them.
-
-Also: the bench of a program that runs in a host model: it takes the records that come from its process, and makes the answers.
-
-`original_run` starts the process, and carries both.
+reaches the time of a device's action or changes a pin that a device is connected to. `HostBench` takes these records and lets the
+devices answer. So a run is reproducible, however fast this machine is. A `Variation` changes the costs of the program's steps, to
+find out whether its behaviour depends on them.
 """
 
 from __future__ import annotations
@@ -282,6 +278,8 @@ def _killed_after(process: subprocess.Popen[bytes], seconds: float) -> Iterator[
     finally:
         timer.cancel()
 
+
+# ---- the bench of a program that runs in a host model
 
 _Known = TypeVar("_Known")
 _COMMAND = struct.Struct("<iiq")

@@ -1,9 +1,7 @@
 """`robosmi doctor`: what is installed, what is missing, the registered content, and own boards that a core contradicts.
 
-Also: checks what is installed: programs, cores and Python packages, as plain values for `doctor`.
-
-Programs and cores are those of the toolchains' data; the Python packages are those that this package imports. Nothing is
-installed here, and missing parts raise no error: they are the result.
+The programs and cores are those of the toolchains' data; the Python packages are those that RoboSMi imports. Nothing is installed
+here. A missing part is a result, not an error.
 """
 
 from __future__ import annotations

@@ -2,10 +2,9 @@
 
 `robosmi migrate OUT --target NAME -o NEW` moves an output folder on to another board.
 
-Also: the prompts for choices that flags, project file, history and rules have left open. Asked only at a terminal.
-
-What is shown is the ranked list with its reasons; what is answered counts as a person's choice. An empty answer leaves the
-choice open. Nothing is known here of how candidates were ranked. Answers may be kept in the project file.
+Choices that flags, project file and history leave open are asked for, but only at a terminal. A prompt shows the ranked list with
+its reasons, and the answer counts as the user's choice; an empty answer leaves the choice open. How candidates are ranked is not
+known here. Answers may be stored in the project file.
 """
 
 from __future__ import annotations
@@ -154,6 +153,8 @@ def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], ac
         report.next = command_line("open" if made.open_choices else "compile", made.output)
     return report
 
+
+# ---- prompts
 
 SHOWN = 7
 NONE = "none"

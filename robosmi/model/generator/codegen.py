@@ -2,12 +2,11 @@
 
 `render` returns the files for one or more .ecore files and all that they refer to; it writes nothing. Each EPackage becomes one
 file, `<package>/__init__.py`, whose classes derive from `robosmi.model.strict.Element`. The .ecore files remain the source:
-generated code is never edited. `robosmi.generate.packages` writes packages where a person's files may lie; run as a module,
+generated code is never edited. `robosmi.generate.packages` writes packages where a user's files may lie; run as a module,
 this one generates our own packages again, and a test compares.
 
-Also: the reasons why no Python package can be made of a valid metamodel, each with place and remedy.
-
-What can be made differently (an escaped name, a feature left out) is no reason but a note of the generator.
+A valid metamodel may have no Python package. All reasons are reported together, each with its place and what to do. What can be
+made differently (an escaped name, a feature left out) is no reason but a note.
 """
 
 from __future__ import annotations
@@ -185,6 +184,8 @@ def generate_built_in() -> None:
     folder = resources.built_in("metamodels")
     update(folder, render(sorted(folder.glob("*.ecore"))).files)
 
+
+# ---- why no package can be made
 
 _REPAIR = "correct it in the .ecore file"
 _LONGEST = 200

@@ -1,7 +1,7 @@
-"""The members of one generated class as texts: features, constructor, operations.
+"""The members of one generated class as texts: features, constructor, operations, and what type checkers need for them.
 
-Also what type checkers need where the metamodel says one name twice: a feature or operation that is redefined with another
-type, or inherited from two sides, is `Any` to them. Names and types are decided elsewhere (`package_names`, `package_types`).
+To type checkers, a feature or operation is `Any` if the metamodel redefines it with another type or a class inherits it from two
+sides. Names and types are decided elsewhere (`package_names`, `package_types`).
 """
 
 from __future__ import annotations

@@ -1,12 +1,10 @@
 """What the template of a generated package shows: a package as texts, all decisions made.
 
-One `PackageView` for one EPackage. Names come from `package_names`, types from `package_types`, who waits for whom from
-`package_cycles`; here they become the lines of a module. No file is read or written.
+One `PackageView` for one EPackage. Names come from `package_names`, types from `package_types`; here they become the lines of a
+module. No file is read or written.
 
-Also: the statements of a generated package that run when its classes are defined: types of references, opposites, operations.
-
-They are for pyecore alone; type checkers read the annotations. Whether they run at once or wait for other packages is
-`package_cycles`' decision.
+`Links` has the statements that run when the classes are defined: types of references, opposites, operations. They are for pyecore
+alone; type checkers read the annotations. `package_cycles` decides whether they run at once or wait for other packages.
 """
 
 from __future__ import annotations

@@ -4,10 +4,8 @@ Contained elements are built at once; references are recorded for `xmi_reader`. 
 rest of the file is read. A DOCTYPE, and with it every entity, is refused; comments and processing instructions are skipped. The
 caller looks up packages.
 
-Also: the rarer cases of reading an XMI file: named types, ids, values in elements, and errors in these.
-
-`xmi_parser` calls `Builder` for everything off its fast path; it uses plans and documents, and of the parser only the current
-line.
+`_Parser` has the fast path. `Builder` handles the rarer cases: named types, ids, values in elements, and errors in these; of the
+parser it knows only the current line.
 """
 
 from __future__ import annotations

@@ -1,18 +1,16 @@
 """One sketch, built for one board in a temporary folder: compile, archive, link, measure.
 
-The sketch's own folder is only read; the tools run in it, so that their messages name its files. Which commands do that is told
-by `recipes`; libraries are found by `libraries`, messages read by `messages`, archives kept by `archives`. Which sketch and
-board: `toolchain`.
+The sketch's own folder is only read; the tools run in it, so that their messages name its files. The commands come from
+`recipes`; libraries are found by `libraries`, messages read by `messages`, archives cached by `archives`. Which sketch and which
+board is decided by `toolchain`.
 
-Also: removes the relocations from linked ELF programs (System V ABI 4.1) before they are handed out.
+The linker is asked to keep relocations, because the stack depth is computed from them. But other tools then take the file for one
+that is still to be linked: `addr2line` of binutils 2.26 reports wrong lines. So the relocations are removed from a linked ELF
+program (System V ABI 4.1) before it is handed out.
 
-The linker is asked to keep relocations, because the stack depth is computed from them (`build`). But other tools then take the
-file for one that is still to be linked: `addr2line` of binutils 2.26 reports wrong lines.
-
-Also: the entries of a compilation database (as Clang defines it) for the files of a sketch, for tools that read sources.
-
-`build` compiles one text made of the sketch's files; here each file has an entry of its own, with arguments that make Clang
-read it as the compiler does. The toolchain's table `[database]` adds to these. Nothing is compiled or written here.
+A compilation database (as Clang defines it) serves tools that read sources. A build compiles one text made of the sketch's files;
+in the database each file has an entry of its own, with arguments that make Clang read it as the compiler does. The toolchain's
+table `[database]` adds to these.
 """
 
 from __future__ import annotations
@@ -357,6 +355,8 @@ def _with(report: CompileReport, findings: Sequence[Finding]) -> CompileReport:
     return replace(report, diagnostics=(*report.diagnostics, *findings))
 
 
+# ---- relocations
+
 _MAGIC = b"\x7fELF"
 _LAYOUTS = {1: (4, 0x20, 0x2E), 2: (8, 0x28, 0x3A)}
 """For each ELF class: the size of an offset in bytes, and where the offset of the section headers, their size and number are."""
@@ -392,6 +392,8 @@ def _number(data: bytes, at: int, width: int, little: bool) -> int:
         value = value + (data[place] << 8 * (place - at)) if little else value * 256 + data[place]
     return value
 
+
+# ---- the compilation database
 
 _SEARCHED = re.compile(r"^#include <\.\.\.>.*\n((?: .*\n)*)", re.MULTILINE)
 """The list of system include folders in a compiler's verbose output."""

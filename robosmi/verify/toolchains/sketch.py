@@ -1,14 +1,12 @@
-"""A sketch as it lies on disk: its folder, its files, its project file. Nothing is written and nothing is run.
+"""A sketch on disk: its folder, its files, its project file. Nothing is written and nothing is run.
 
 A sketch is a folder `<name>` with `<name><suffix>` in it; the suffix and everything else that depends on a platform comes from
-the toolchain's data. What a run has made is read only where no link leads out of its output folder; a person's own sketch may
-have links to anywhere.
+the toolchain's data. In an output folder only what no link leads out of is read; a user's own sketch may have links to anywhere.
 
-Also: the project file beside a sketch: which board and which libraries it was generated for.
-
-The file is YAML; its name and its keys come from the toolchain's data. Read here is the part of YAML that such files are written
-in: block mappings and lists, comments, quoted texts. Anything else is refused with its line, not guessed. Lines are kept, because
-errors name them; that, and one dependency less, is why no YAML library is used.
+The project file says for which board and with which libraries the sketch was generated. It is YAML; its name and its keys come
+from the toolchain's data. The part of YAML that such files use is read: block mappings and lists, comments, quoted texts.
+Anything else is refused with its line, not guessed. Lines are recorded, because errors name them; that, and one dependency less,
+is why no YAML library is used.
 """
 
 from __future__ import annotations
@@ -259,6 +257,8 @@ def choose_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, want
         place = Location(str(toolchain.path))
         raise PlatformDataError(f"'default_board': {error.message}", location=place, fix=error.fix) from error
 
+
+# ---- the project file
 
 _QUOTED = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:''|[^'])*'")
 _KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w(?:[^:#]*[^:#\s])?)\s*:(?:\s++(?P<value>.*))?$")

@@ -2,24 +2,18 @@
 
 This is the (tau, eps)-closeness of conformance testing, extended by durations. The tolerance is derived: a base that depends on
 the kind of channel, plus twice the differences between runs of the source whose steps cost more or less and whose inputs come a
-little earlier or later. If even the values of these runs differ, the channel is racy and nothing can be decided with it.
+little earlier or later. `alignment` finds which events correspond.
 
-Also: compares servo widths that are shown for so few frames that the alignment of two runs may skip them.
+If even the values of these runs differ, the channel is racy. Before the first such place the source is as reliable as on any
+other channel. After it, only lines of text are compared: those that all runs print identically, as long as all runs print lines
+of the same shape (the text without its numbers) in the same order. Their times are not compared, since these vary, too.
 
-Such a width may be missing, since it depends on when frames begin: a program may set a width and another one before the next
-frame. But if the target shows a width beyond all that the source ever shows, the servo twitches. Marginal widths of a slow
-change are not judged: the source may pass the same width in a single frame.
+A servo width that is shown for few frames may be missing, since it depends on when frames begin: a program may set a width and
+another one before the next frame. But if the target shows a width beyond all that the source ever shows, the servo twitches.
+Marginal widths of a slow change are not judged: the source may pass the same width in a single frame.
 
-Also: where runs of the source differ from each other on a channel, and what can still be compared there.
-
-Before the first such place the source is as reliable as on any other channel. After it, lines of text are that all of its runs
-print identically, as long as all runs print lines of the same shape (the text without its numbers) in the same order. Their
-times are not compared, since these vary, too. Reliable channels are compared by `comparison`.
-
-Also: describes the first events of two programs that do not correspond: late, early, missing, repeated, or different.
-
-`comparison` finds that they differ and `alignment` which events correspond. The description has to be true for the whole runs:
-an event that only comes late is not one that the other program lacks.
+A difference is described by the first events that do not correspond: late, early, missing, repeated, or different. The
+description is true for the whole runs: an event that only comes late is not one that the other program lacks.
 """
 
 from __future__ import annotations
@@ -330,6 +324,8 @@ def _ends_differ(
     return False
 
 
+# ---- servo widths
+
 _BEYOND_US = 20.0
 """How far beyond the source's widths one may lie, in microseconds: the distance of the marks by which ramps are compared."""
 
@@ -354,6 +350,9 @@ def first_stray_width(
         if judged and not least <= float(event.value[0]) <= most:
             return event
     return None
+
+
+# ---- racy channels
 
 
 class SelfDifference(NamedTuple):
@@ -421,6 +420,8 @@ def first_wrong_line(
             return WrongLine(row[0], row[-1])
     return None
 
+
+# ---- differences in words
 
 _MOST = 20_000
 """Limit on the events of a run that are searched."""
