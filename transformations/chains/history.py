@@ -1,11 +1,8 @@
 """The chain `history`: list, forget, export and import earlier choices of libraries.
 
-The form of a file is that of its ending: .xmi (a model), .csv or .json.
-
-Also: converts the history of choices to a model (`migration.EarlierChoices`) for exchange with other tools, and back.
-
-The database stays authoritative; the model is a copy of one moment. `robosmi.recommend.history_exchange` defines what a damaged
-entry is.
+The ending of a file decides its form: .xmi (a model, `migration.EarlierChoices`), .csv or .json. The model is for exchange with
+other tools. The database stays authoritative; an export is a copy of one moment.
+`robosmi.recommend.history_exchange` defines what a damaged entry is.
 """
 
 from __future__ import annotations

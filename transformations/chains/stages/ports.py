@@ -1,9 +1,8 @@
 """The steps of `migrate` about ports: finds the program's ports and the flow of their numbers, and binds them to pins.
 
-Also: finds the ports that libraries use by convention, without the program naming them.
-
-An adapter declares the ports it uses on the target. These may be fewer than its function used on the source, such as no
-encoders for a drive that is steered without them. A function without an adapter keeps the conventions of the platform's API.
+Among the ports are those that libraries use by convention, without the program naming them. An adapter declares the ports it uses
+on the target. These may be fewer than its function used on the source, such as no encoders for a drive that is steered without
+them. A function without an adapter keeps the conventions of the platform's API.
 """
 
 from __future__ import annotations
@@ -92,6 +91,8 @@ def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:
     pins = [name for pin in (plan.board.pins if plan.board is not None else []) for name in (pin.label, *pin.aliases)]
     return [*pins, *(connection.name for connection in plan.connections)]
 
+
+# ---- ports by convention
 
 _NUMBERED = re.compile(r"_(\d+)\Z")
 _DIRECTIONS = {platform.Direction.input: "in", platform.Direction.output: "out", platform.Direction.both: "both"}

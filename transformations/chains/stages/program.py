@@ -1,11 +1,10 @@
 """The program's side of a migration: its files, its stored code model, and the findings in the sources alone.
 
-Also: finds the program's own headers, which are read, stored and carried over with it.
-
-They are the headers, and included `.c` files, that a source file or another such header includes and that no platform provides.
-They are searched like by a C compiler: beside the including file, then in the given folders. A header with the name of a
-platform header is the program's own if its sources define most of the functions that the platform's header declares, as the
-sources of a library do; else it is a copy of the platform's.
+The files include the program's own headers, which are read, stored and carried over with it: the headers, and included `.c`
+files, that a source file or another such header includes and that no platform provides. They are searched as a C compiler does:
+beside the including file, then in the given folders. A header with the name of a platform header is the program's own if its
+sources define most of the functions that the platform's header declares, as the sources of a library do; else it is a copy of the
+platform's.
 """
 
 from __future__ import annotations
@@ -301,6 +300,8 @@ _RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]", re.IGNORECASE)
 
 ENTRIES = ("setup", "loop")
 """The functions in which a sketch begins (Arduino, "Sketch specification")."""
+# ---- the program's own headers
+
 OUTSIDE = "RS113"
 """The rule for a header that is taken from outside of the program's folders."""
 _INCLUDE = re.compile(r'#\s*include\s*[<"]([^>"\n]+)[>"]')
