@@ -2,9 +2,8 @@
 
 A board is hardware: `boards/<name>.toml` has its pins, `mcus/<name>.toml` the microcontroller. How a platform calls a board and
 its pins is a mapping, `<platform>/boards/<name>.toml`; a mapping that has pins of its own is hardware and mapping in one file.
-How drawing tools draw a board is read in `boards`; targets are put together in `target_platform`.
-
-Also: checks that the ports which a board's file gives its pins exist on its microcontroller (key `ports` of that file).
+The ports that a file gives its pins must exist on the microcontroller (key `ports` of its file). How drawing tools draw a board
+is read in `drawn_boards`; targets are put together in `target_platform`.
 """
 
 from __future__ import annotations

@@ -1,10 +1,8 @@
 """Converts the boards of `board_models` to the form that the compile check uses (`robosmi.verify.toolchains.boards`).
 
-Also: the statements of a board's file about its pins, as claims to check against a core's headers
-(`robosmi.verify.toolchains.board_check`).
-
-The kinds of claims, and the expressions to evaluate, are data of the platform's toolchain (`[[board_check.claims]]`); here they
-are instantiated for the pins of a board.
+What a board's file says about its pins becomes claims, which `robosmi.verify.toolchains.board_check` checks against a core's
+headers. The kinds of claims, and the expressions to evaluate, are data of the platform's toolchain (`[[board_check.claims]]`);
+here they are instantiated for the pins of a board.
 """
 
 from __future__ import annotations
@@ -77,6 +75,8 @@ def _boot_loader(
     bauds = tuple(int(baud) for baud in found.bauds)
     return BootLoader(str(found.programmer), bauds, takes, int(found.touchBaud), str(found.tool))
 
+
+# ---- claims about pins
 
 _PORT = re.compile(r"P([A-L])([0-7])")
 _CONVERTER = re.compile(r"ADC\d+")

@@ -1,12 +1,8 @@
 """Determines a part's role for the software: by a curated entry for its id, else by the first matching rule, with the reason.
 
-The entries and rules are those of `part_roles`, the user's files first. The built-in catalogue was made with them; a drawing
-needs them only for parts that the catalogue lacks.
-
-Also: reads the files that assign roles to parts: `parts/roles.toml` (rules) and `parts/curated.toml` (entries for single ids).
-
-The files of all folders of the platform repository are used, the user's before the built-in one, so an own file extends and
-precedes the built-in rules. Keys are checked here; `part_roles` finds the rule that matches.
+The rules are in `parts/roles.toml`, the entries for single ids in `parts/curated.toml`. The files of all folders of the platform
+repository are used, the user's before the built-in one, so an own file extends and precedes the built-in rules. Unknown keys are
+refused. The built-in catalogue was made with these rules; a drawing needs them only for parts that the catalogue lacks.
 """
 
 from __future__ import annotations
@@ -231,6 +227,8 @@ def _family_clue(family: str, tool: str, rule: RoleRule) -> str:
     found = any(fits(family, pattern) for pattern in _of_tool(rule.get("families", []), tool))
     return f"family '{family}'" if found else ""
 
+
+# ---- the files
 
 _FLAGS = ("driver", "first", "weak", "tags", "connector")
 _LISTS = ("words", "not", "named")

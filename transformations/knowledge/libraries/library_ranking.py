@@ -1,13 +1,12 @@
-"""Parts and libraries to recommendations: the shipped index of libraries, opened once, and asked.
+"""Parts and libraries to recommendations: the shipped index of libraries, the knowledge about devices, and the rankers.
 
 Here are the rankers that the registry offers, and the look-up of a library by name or by header with everything that
-it depends on and offers. How libraries are ranked is in `robosmi.recommend`; which recommendation becomes an include is decided
-by the migration plan (flag, project file, history), never here.
+it depends on and offers. The index is opened once. How libraries are ranked is in `robosmi.recommend`; which recommendation
+becomes an include is decided by the migration plan (flag, project file, history), never here.
 
-Also: the default ranker's knowledge besides the index: device tables, usual libraries, insignificant words, coefficients.
-
-The tables of devices and of usual libraries of all data folders are used, a user's before the shipped ones, so an own entry is
-one line in an own file. Of the other files only the first one found is used, as with all data.
+Besides the index, the default ranker knows device tables, usual libraries, insignificant words and coefficients. The tables of
+devices and of usual libraries of all data folders are used, a user's before the shipped ones, so an own entry is one line in an
+own file. Of the other files only the first one found is used, as with all data.
 """
 
 from __future__ import annotations
@@ -231,6 +230,8 @@ def _with_dependencies(index: LibraryIndex, start: Library) -> LibraryFacts:
                 waiting.append(found)
     return LibraryFacts(start, tuple(waiting[1:]), tuple(unknown))
 
+
+# ---- the default ranker's knowledge
 
 _Files = tuple[tuple[Path, int], ...]
 

@@ -1,9 +1,8 @@
 """The API of a source platform: which header declares a name, as what, and what it means.
 
-`ApiIndex` is a view on the repository's facts (`platform_folder`) or on a stored platform model (`platform_api`). No
-platform is known by name here, and no program is read; the queries in `queries.code` combine both.
-
-Also: a stored platform model as `ApiFacts`, so that a stored plan is checked with the facts of the time when it was made.
+`ApiIndex` is a view on the repository's facts (`platform_folder`) or on a stored platform model (`StoredFacts`), so that a stored
+plan is checked with the facts of the time when it was made. No platform is known by name here, and no program is read; the
+queries in `queries.code` combine both.
 """
 
 from __future__ import annotations
@@ -300,6 +299,8 @@ def forget_platforms() -> None:
 def _load(folder: str) -> ApiIndex:
     return ApiIndex(facts_of(folder))
 
+
+# ---- stored platform models
 
 _IN_DATA = {literal: word for word, literal in DIRECTIONS.items()}
 _WORDS = {literal: word for word, literal in RELATIONS.items()}
