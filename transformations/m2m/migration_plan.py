@@ -1,9 +1,8 @@
 """Assembles the migration plan, the hub of the method, from partition, connections, port bindings and library choices.
 
 Each decision is made by a module of its own; here they get a common trace and become one model. The digests of the inputs are
-recorded, so that a stored plan can tell whether it still belongs to its sources.
-
-Also: closes open choices of libraries that would change nothing, because the adapters handle the component without a library.
+recorded, so that a stored plan can tell whether it still belongs to its sources. An open choice of a library is closed if it
+would change nothing, because the adapters handle the component without a library.
 """
 
 from __future__ import annotations

@@ -1,10 +1,8 @@
 """Placeholder declarations for source platform names other than functions: constants, registers, variables, types, attributes.
 
-Each placeholder lets the retained code compile and comes with a task that says what it has to mean. Types are inferred from
-their uses: members, pointers and arithmetic tell a record from a number. A name that the target already has is hidden for the
-program only (see `target_names`).
-
-Also: infers from its uses what a type that nothing declares must support: pointers, initializer lists, arithmetic.
+Each placeholder lets the retained code compile and comes with a task that says what it has to mean. A type that nothing declares
+is inferred from its uses: members, pointers, initializer lists and arithmetic tell a record from a number. A name that the target
+already has is hidden for the program only (see `target_names`).
 """
 
 from __future__ import annotations
@@ -356,6 +354,9 @@ def _member_name(declarator: str) -> str:
     """The name in a member's declarator, as `record_members` writes it."""
     words: list[str] = re.findall(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0])
     return words[-1] if words else ""
+
+
+# ---- what a type must support
 
 
 def pointers_in(views: Iterable[CodeView]) -> set[str]:

@@ -3,12 +3,10 @@
 `map_connectors` is the algorithm with the open points of the printed version decided: supply nets are cut, breadboards conduct
 row by row, paths continue only through two-terminal passive parts, and drivers and unknown parts end a path.
 `algorithm_1_as_printed` is the printed version, kept for comparison. docs/method/connector-mapping.md gives the reasons and the
-figures. Nothing here knows a drawing tool.
+figures. Nets are computed by the readers; nothing here knows a drawing tool.
 
-Also: which component short-circuits a pin to a supply by its own internal contact, as a button wired across one contact does.
-
-It is judged by the wires as they are drawn; a drawing whose wires are not known gives no answer. Nets are computed by the
-readers.
+A pin on a supply net may be there because a component joins it by its own contact, such as a button wired across one contact.
+`tied_inside` finds that component by the wires as they are drawn; a drawing whose wires are not known gives no answer.
 """
 
 from __future__ import annotations
@@ -342,6 +340,9 @@ def rename_clashes(
 
 def _title(component: hardware.Component) -> str:
     return component.title or component.partTitle or f"#{component.elementId}"
+
+
+# ---- short circuits inside a component
 
 
 def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[hardware.Component, list[str]] | None:

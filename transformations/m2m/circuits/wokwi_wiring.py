@@ -1,13 +1,12 @@
 """The wiring of a plan as a Wokwi diagram: how parts are drawn, which pins are wired, and which parts Wokwi lacks.
 
 A net is drawn as wires from one pin, the board's if it has one; breadboards are left out. A passive part that Wokwi lacks and
-that carries a signal is replaced by a wire and listed; any other such part is listed and not drawn. Types and pins of parts are
-in `m2m/circuits/wokwi_wiring`; the file is written by `m2t/circuits/wokwi_project`.
+that carries a signal is replaced by a wire and listed; any other such part is listed and not drawn. The file is written by
+`m2t/circuits/wokwi_project`.
 
-Also: maps components of any drawing to Wokwi part types, and their connectors to the type's pins.
-
-The types are those of `parts/wokwi_types.toml`. A component without a matching type, or a connector that is no pin of the type,
-is left to the caller to list. Wokwi's parts and pins are in the catalogue; `m2m/circuits/wokwi_wiring` assembles the diagram.
+`parts/wokwi_types.toml` maps components of any drawing to Wokwi's types, and their connectors to the type's pins. A component
+without a matching type, or a connector that is no pin of the type, is left to the caller to list. Wokwi's own parts and pins are
+in the parts catalogue.
 """
 
 from __future__ import annotations
@@ -196,6 +195,8 @@ def _label(connection: migration.Connection) -> str:
         return str(connection.pin.label)
     return str(connection.boardConnectors[0].pin) if connection.boardConnectors else ""
 
+
+# ---- types and pins of parts
 
 TOOL = "wokwi"
 _OWN = "chip-"

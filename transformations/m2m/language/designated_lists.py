@@ -1,14 +1,12 @@
 """Rewrites designated initializers (C11 6.7.9) as positional ones, the only kind that C++11 has.
 
-Only what has to change does: designators are removed, and `{}` is inserted for elements left out. A list whose values are not
-in the order of their places is written anew (`designated_lists`); one with unknown indices stays, and `cpp_incompatibilities`
-reports it. Lists of structures whose members all come in order stay, too: the target's compilers accept them.
+Only what has to change does: designators are removed, and `{}` is inserted for elements left out. Lists of structures whose
+members all come in order stay: the target's compilers accept them. So does a list with unknown indices, which
+`cpp_incompatibilities` reports.
 
-Also: writes designated initializers as positional ones if the designators are not in the order of their places.
-
-Such a list is written anew as a whole, with nested designators (`.at.x`, `[1][0]`), places initialized twice (the last counts),
-and comments beside values. Lists with computations or calls are refused, because changes within them would be lost, and so are
-lists for union members other than the first. Lists in order are handled by `designated_lists`.
+A list whose values are not in the order of their places is written anew as a whole, with nested designators (`.at.x`, `[1][0]`),
+places initialized twice (the last counts), and comments beside values. Such a list is refused if it has computations or calls,
+because changes within them would be lost, or is for a union member other than the first.
 """
 
 from __future__ import annotations
@@ -134,6 +132,8 @@ def _place(designator: Sequence[Token], fields: Sequence[ccode.Field], constants
     first, dots, last = " ".join(texts[1:-1]).partition("...")
     return index_value(first, constants), index_value(last if dots else first, constants)
 
+
+# ---- lists that are written anew
 
 _SIGNS = frozenset(["-", "&"])
 _PLAIN = frozenset(["{", "}", "(", ")", ",", ".", "[", "]", "=", ":", "..."])

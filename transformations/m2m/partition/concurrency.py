@@ -1,13 +1,8 @@
 """Decides how code that a program starts on other cores runs on a target with one core: as coroutines.
 
 A program that starts no such code, or only through functions without an adapter, has no such decision. The only changes of its
-text are calls of `yield` in loops that would otherwise starve the others (`yielding`). Which loops have to yield, and how much
-stack is needed, is computed by `queries.resources.cooperation`.
-
-Also: inserts calls of `yield` so that coroutines let each other run: in loops, at backward jumps, in macros that are loops.
-
-`queries.resources.cooperation` determines which loops need one; `concurrency` decides whether a program runs as coroutines at
-all.
+text are calls of `yield` where it would otherwise starve the other coroutines: in loops, at backward jumps, in macros that are
+loops. Which loops have to yield, and how much stack is needed, is computed by `queries.resources.cooperation`.
 """
 
 from __future__ import annotations
@@ -94,6 +89,8 @@ def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[cc
     own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
     return [own[name] for name in dict.fromkeys(s.function for s in starts) if name in own]
 
+
+# ---- calls of `yield`
 
 GIVE_WAY = "give-way"
 """Rule of text changes: a loop yields to the other coroutines."""

@@ -2,9 +2,7 @@
 
 Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, and `main` is divided. Every element
 gets a disposition with the rule that decided and the reason. What a name means is data of the platforms; no rule knows a
-function by its name.
-
-Also: the names that adapter pieces and their libraries declare at file scope, which a program therefore cannot declare too.
+function by its name. A name that adapter pieces and their libraries declare at file scope cannot be declared by the program too.
 """
 
 from __future__ import annotations
@@ -326,6 +324,8 @@ def _change_unit_texts(
         for moved in division.moved:
             hoist(moved, verdicts, own)
 
+
+# ---- names that adapters declare
 
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 _DEFINED = re.compile(r"#\s*define\s+([A-Za-z_]\w*)")

@@ -1,15 +1,13 @@
 """Binds each port of the source program to a connection of the target (paper, Listing 3: `leftQTI` becomes 10).
 
-A person's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence
-that `port_binding` weighs. What none of these decides stays open with its options. The drawing alone never tells which of
-two like components is left and which is right.
+A user's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence that
+names and uses give, which `port_evidence` computes. What none of these decides stays open with its options. The drawing alone
+never tells which of two like components is left and which is right.
 
-Also: assigns open ports to free connections, by the similarity of their names and by what the program uses the port for.
-
-This is an assignment, not a list of guesses: a port is bound to a connection only if each is the other's single best match, so
-that two ports never share a pin and one of two like components is never picked at random. Without evidence by name or library,
-a port and a component are bound if neither fits anything else and such ports are usually on such components. The evidence for a
-pair is computed in `port_evidence`.
+Open ports are assigned to free connections together, not guessed one by one: a port is bound to a connection only if each is the
+other's single best match, so that two ports never share a pin and one of two like components is never picked at random. Without
+evidence by name or library, a port and a component are bound if neither fits anything else and such ports are usually on such
+components.
 """
 
 from __future__ import annotations
@@ -403,6 +401,8 @@ def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
         found |= {roles[name] for name in (use.function, *headers) if name in roles}
     return found.pop() if len(found) == 1 else ""
 
+
+# ---- the assignment by evidence
 
 NAME_CONFIDENCE = 0.9
 """Confidence of a binding by name alone, or by a role that fits one free component only."""

@@ -3,11 +3,9 @@
 Which of the two is decided by the program's data flow (`queries.ports.port_flows`). A replaced number is a change of the port's
 binding, a look-up one of the flow. A number that is on no pin of the target becomes an invalid pin, never another port's.
 
-Also: redirects calls inside macros to an invalid pin if their ports cannot be looked up: they would drive other pins of the
-target.
-
-Neither the macro's text nor its use belongs to the port alone. So around the use a macro with the function's name passes no
-pin; the preprocessor meets it when it has expanded the use. RS335 reports that such calls do nothing yet.
+A call inside a macro whose port cannot be looked up would drive another pin of the target, so it gets an invalid pin. Neither the
+macro's text nor its use belongs to the port alone. So around the use a macro with the function's name passes no pin; the
+preprocessor meets it when it has expanded the use. RS335 reports that such calls do nothing yet.
 """
 
 from __future__ import annotations
@@ -285,6 +283,9 @@ def _around(argument: PinArgument, sources: Mapping[str, bytes], place: int, arr
     count = given[argument.parameter.number]
     text = sources[argument.unit.path][count.startOffset : count.endOffset].decode(errors="replace")
     return f"ports<{place}>(", f", {text})"
+
+
+# ---- calls inside macros
 
 
 class _Use(Struct, frozen=True):

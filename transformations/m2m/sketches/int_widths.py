@@ -4,7 +4,7 @@ Only what may leave that width is changed (`WrappedValues`): a variable gets a t
 is looked at is cut to it. What points or refers to a variable changes with it (`linked_types`). A variable that a function of a
 library takes as an int keeps its type, and is a task.
 
-Also: variables of type char that take negative values, where char has no sign on the target.
+Where char has no sign on the target, variables and casts of type char that take negative values become `signed char`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
 """The text changes that keep the source's widths of numbers, as decisions of a plan.
 
-A decision is about one declaration or macro and contains all its changes. `width_rules` finds the expressions, `widths`
-places the changes, and `queries.width_types` has the types of declarations.
+A decision is about one declaration or macro and contains all its changes. `width_rules` finds what the expressions want;
+`queries.width_types` has the types of declarations.
 
-Also: turns the wants of `width_rules` into text changes: where each is written, and how several at one place combine.
-
-A place in a macro's body belongs to every use of the macro, so a cast is written there only if all uses need the same one; else
-it is written in the argument. Wants without a possible place are returned, to be reported.
+`Writer` turns these wants into text changes: where each is written, and how several at one place combine. A place in a macro's
+body belongs to every use of the macro, so a cast is written there only if all uses need the same one; else it is written in the
+argument. Wants without a possible place are returned, to be reported.
 """
 
 from __future__ import annotations
@@ -279,6 +278,8 @@ def _decisions(unit: ccode.SourceUnit, edits: Iterable[tuple[Replacement, str]])
             ],
         )  # fmt: skip
 
+
+# ---- from wants to text changes
 
 _LITERAL = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uU]?)([lL]*)")
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
