@@ -1,9 +1,7 @@
 """The contents of a plan's web page, section by section: what works, wiring, decide, write, check, verdict, history.
 
-These are values for templates, from the same queries as the report and the terminal. `page_code` makes the program beside its
-sketch; `chains.page` composes the page and answers its requests.
-
-Also: lines of the source that elements of the code model are in.
+These are values for templates, from the same queries as the report and the terminal, with the lines of the source that they are
+about. `page_code` makes the program beside its sketch; `chains.page` composes the page and answers its requests.
 """
 
 from __future__ import annotations
@@ -399,6 +397,8 @@ def history(plan: migration.MigrationPlan) -> dict[str, Any]:
     return {"rows": sorted(rows, key=lambda row: (row[0] == "", row[0])), "moved": move_text(plan), "tool": str(plan.toolVersion),
             "inputs": [(str(i.kind), str(i.origin), str(i.digest)[:12]) for i in plan.inputs]}  # fmt: skip
 
+
+# ---- lines of the source
 
 _LONGEST = 120
 

@@ -4,13 +4,11 @@ A generator names its templates and gives the values for its project file. Each 
 template needs beyond the plan are prepared by the module of that file. Templates name their parts, so that every generated line
 is traced to its elements and to the step of the method that made it.
 
-Also: the table in which a program looks up the pin of a port of the source that it has as a number.
-
-Also: the values for the sketch that tests the hardware on the bench, one component at a time.
-
-The user chooses a component over the serial line, and it is moved or read within safe limits. How a component is tested is data
-of its kind (`bench` in parts/electrical.toml), else follows from its role. The sketch needs no library beyond the core, and
-leaves the pins of its own serial line alone. Everything is read from the models.
+Two files have their values from here: the table in which a program looks up the pin of a port that it has as a number of the
+source, and the sketch that tests the hardware on the bench, one component at a time. In that sketch the user chooses a component
+over the serial line, and it is moved or read within safe limits. How a component is tested is data of its kind (`bench` in
+parts/electrical.toml), else follows from its role. The sketch needs no library beyond the core, and leaves the pins of its own
+serial line alone. Everything is read from the models.
 """
 
 from __future__ import annotations
@@ -174,6 +172,8 @@ def report_file(plan: migration.MigrationPlan, sources: Mapping[str, bytes], kno
     return g.make()
 
 
+# ---- the table of ports
+
 _PORTS = 32
 
 
@@ -204,6 +204,8 @@ def port_table(plan: migration.MigrationPlan) -> PortPins | None:
         [f"{number_name(plan.source, number)}{called.get(number, '')}" for number in range(count)],
     )
 
+
+# ---- the bench sketch
 
 _NEUTRAL, _COILS = 1500, 4
 _BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}

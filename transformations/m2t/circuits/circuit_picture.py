@@ -1,21 +1,18 @@
-"""A circuit as a picture (SVG) that a person can hold beside the robot.
+"""A circuit as a picture (SVG) that a user can compare with the robot.
 
 Boards are in the middle with their pins where they are at the board, beside them is what is wired to them, then what is behind
 that, each as the symbol of its kind; apart from them is what no signal connects to a board. Each connection of a signal net is a
 line, each connector on a rail has a coloured tag with the net's name. Power symbols are no boxes: one table lists the rails that
 they stand for. Beyond `MOST_LINES` lines the picture is by component: one line between two boxes stands for all their wires, and
-each row names what it is wired to. Findings are marked where they belong, ports of the source are shown at the pins that they
-became. A wire and a pin bear `data-net`, and `data-pin` and `data-port` where they lead to a pin of a board. This module decides
-what is drawn, `circuit_layout` arranges it, the template writes it.
+each row names what it is wired to. Ports of the source are shown at the pins that they became. A wire and a pin bear `data-net`,
+and `data-pin` and `data-port` where they lead to a pin of a board. This module decides what is drawn, `circuit_layout` arranges
+it, the template writes it.
 
-Also: names and colours of a circuit's nets in a picture; no two nets have the same.
+No two nets have the same name or colour. A rail has the name that the drawing gives to its net, else that of its supply; further
+nets of that name get a number.
 
-A rail has the name that the drawing gives to its net, else that of its supply; further nets of that name get a number.
-
-Also: where findings about a circuit belong in its picture: to a component, to pins of a board, to a net.
-
-A finding is located by its element, by `model_index`, `pins` and `net` in its evidence, or by its message: quoted titles and
-labels of pins. One without any of these is about the drawing as a whole. Nothing is drawn here.
+A finding is marked at a component, at pins of a board or at a net: by its element, by `model_index`, `pins` and `net` in its
+evidence, or by its message: quoted titles and labels of pins. One without any of these is about the drawing as a whole.
 """
 
 from __future__ import annotations
@@ -364,6 +361,8 @@ def _short(text: str, letters: int = _LETTERS) -> str:
     return line if len(line) <= letters else line[: letters - 1] + "…"
 
 
+# ---- names and colours of nets
+
 _KNOWN = {"GND": "#111111", "5V": "#c62828", "3.3V": "#d35400"}
 _LABEL_LETTERS = 18
 _FIRST_HUE, _LAST_HUE = 45, 330  # degrees; without red and orange, which are the supplies' alone
@@ -422,6 +421,8 @@ def _colours() -> Iterator[str]:
         yield f"#{round(red * 255):02x}{round(green * 255):02x}{round(blue * 255):02x}"
         number += 1
 
+
+# ---- marks of findings
 
 _ELEMENT = re.compile(r"//@(components|nets)\.(\d+)")
 _QUOTED = re.compile(r"'([^']+)'")
