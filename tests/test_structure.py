@@ -404,6 +404,14 @@ def test_no_module_is_longer_than_600_lines_and_half_have_150_at_most() -> None:
     assert statistics.median(lengths.values()) <= 150
 
 
+def test_a_module_is_run_behind_all_that_it_defines() -> None:
+    """Run with `python -m`, what stands behind `if __name__ == "__main__"` does not exist yet."""
+    programs = [path for path in modules("robosmi", "transformations") if '__name__ == "__main__"' in path.read_text("utf-8")]
+    assert len(programs) > 5
+    wrong = [path for path in programs if "__main__" not in ast.unparse(tree_of(path).body[-1])]
+    assert wrong == []
+
+
 def test_every_module_says_what_lives_in_it() -> None:
     assert [str(path) for path in modules("robosmi", *CONTENT, "tests") if not ast.get_docstring(tree_of(path))] == []
 

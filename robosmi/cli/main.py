@@ -307,10 +307,6 @@ def _print_json(document: dict[str, Any]) -> None:
     streams.print_result(json_text(document, ascii_only=plain))
 
 
-if __name__ == "__main__":
-    sys.exit(main())
-
-
 EXAMPLES = {
     "demo": "robosmi demo",
     "analyse": "robosmi analyse robot.c -I include --json",
@@ -409,3 +405,7 @@ def _unwritable_text(error: UnicodeEncodeError) -> SourceError:
         f"a name or text cannot be stored as {error.encoding.upper()}: '{shown}'",
         fix="rename the file or correct the text, so that it is UTF-8",
     )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

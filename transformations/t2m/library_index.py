@@ -142,10 +142,6 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
-
-
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
 _API_FIX = "use a file with one header per line; the README next to the index has the format"
 
@@ -221,3 +217,7 @@ def _whole(bases: Iterable[str]) -> list[str]:
         else:
             whole.append(base)
     return whole
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
