@@ -3,10 +3,8 @@
 An abstract interpretation without execution: a name has a value when the text gives it one and never another. The value of a
 parameter is looked up at the callers. A value that the text does not decide is None, with the origin `runtime`.
 
-Also: memoised evaluation of names that may be defined by each other, with bounds on recursion and on repetition.
-
-What a name stands for is computed in `values`; this module decides only in which order names are evaluated and when one is
-given up as unknown.
+Names may be defined by each other. `BoundedWalk` evaluates them recursively and remembers the results; it decides in which order,
+and when a name is given up as unknown: recursion and repetition are bounded.
 """
 
 from __future__ import annotations
@@ -337,6 +335,8 @@ def passed_arrays(parameter: ccode.Parameter) -> list[ccode.Expression]:
             found |= {} if given else {id(target): argument}
     return list(found.values())
 
+
+# ---- evaluation of names
 
 A = TypeVar("A")
 B = TypeVar("B")

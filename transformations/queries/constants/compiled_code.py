@@ -2,19 +2,16 @@
 
 In the first round, functions whose body is still to be written return 0, and values of local variables are known. In the
 second, global variables that nothing changes count as numbers, and variables that nothing reads are left out with the
-expressions stored in them. `memory` counts the result; values within the code are computed by `compiled_code`.
+expressions stored in them. `memory` counts the result.
 
-Also: calls of platform functions that have no effect in the current plan, and the value that each of them returns.
+A call without effect has a known value. A placeholder, whose body is still to be written, returns 0. An adapter that is called
+for a port without a pin does nothing and returns 0, or the number that its text returns early with. An adapter whose text does
+anything else first is left out.
 
-A placeholder, whose body is still to be written, returns 0. An adapter that is called for a port without a pin does nothing and
-returns 0, or the number that its text returns early with. An adapter whose text does anything else first is left out.
-
-Also: constant propagation through a program: which code stays reachable where values of its variables are known.
-
-The program is traversed once, statement by statement, with the values that variables surely have: a function whose body is
-still to be written returns 0, a counter that starts at 0 and never changes stays 0. Loops are iterated to a fixed point. What a
-called function of the program does to a variable is not followed: its value is unknown afterwards. Functions with gotos, text
-that the model does not know and what nests deeper than `DEPTH` count as reachable whatever their values.
+`FoldedCode` propagates constants: it traverses the program once, statement by statement, with the values that variables surely
+have, so that a counter that starts at 0 and never changes stays 0. Loops are iterated to a fixed point. What a called function of
+the program does to a variable is not followed: its value is unknown afterwards. Functions with gotos, text that the model does
+not know and what nests deeper than `DEPTH` count as reachable whatever their values.
 """
 
 from __future__ import annotations
@@ -264,6 +261,8 @@ def way(reference: ccode.NameReference) -> str:
     return "any" if indexed else "read"
 
 
+# ---- calls without effect
+
 _UNUSED = re.compile(r"\(void\)\s*\w+\s*;")
 _BEGINNING = (
     r"\{\s*(?:\w+ \w+\(\w+\);\s*)?(?:\w+(?:\(\w+\))?\.(?:drive|set)\([^;]*\);\s*)*"
@@ -345,6 +344,8 @@ def _parameters(text: str, name: str) -> list[bool]:
             parts[-1] += character
     return [bool(body & set(re.findall(r"\w+", part))) for part in parts]
 
+
+# ---- constant propagation
 
 _NESTED = 5
 """Nesting of loops above which a loop is traversed once, with no values known at its head: nested rounds multiply."""

@@ -1,9 +1,8 @@
-"""EOL-style operations on the migration plan: counts, open choices, and the plan's part of the JSON contract.
+"""EOL-style operations on the migration plan: counts, open choices, findings, and the plan's part of the JSON contract.
 
-Also: the steps by which a program arrives at the situation of a finding, and the edit of its text that corrects it.
-
-Both are derived from the elements of the finding, since a plan stores no more, and only for rules where these suffice. The
-constraints decide what is found.
+A finding gets the steps by which the program arrives at its situation, and the edit of the text that corrects it. Both are
+derived from the elements of the finding, since a plan stores no more, and only for rules where these suffice. The constraints
+decide what is found.
 """
 
 from __future__ import annotations
@@ -290,6 +289,8 @@ def _located(entry: migration.PlanTask) -> list[ccode.Located]:
 def _components(entry: migration.PlanTask) -> list[hardware.Component]:
     return [element for element in entry.elements if isinstance(element, hardware.Component)]
 
+
+# ---- steps and edits of findings
 
 _HEADERS = re.compile(r"\(<([^>]+)>\)")
 

@@ -1,9 +1,8 @@
 """The calls of platform functions that come out of macro expansion, found by the macro whose body contains them.
 
 A macro's body is not parsed, so a pin in it is known as a range of text only. Which numbers it receives is read from the calls
-that the parser makes of the macro's uses, in the program's text or in bodies of further macros.
-
-Also: the macros of a program by name, and the names in their bodies; macros are expanded by the parser.
+that the parser makes of the macro's uses, in the program's text or in bodies of further macros. `Macros` finds these bodies by
+name.
 """
 
 from __future__ import annotations

@@ -6,17 +6,12 @@ is filled at run time, comes from a function of the platform, is the end of a ra
 followed here. Numbers of such a flow stay as they are: an assumption in the other direction could move a wrong wire. Names and
 pins of ports are decided elsewhere.
 
-Also: pins of calls that come out of macro expansion: where each is written in the source, found through the expanded text.
+Bodies of macros hold numbers, call functions of the platform and pass parameters on. They are no syntax, so their tokens are
+read: a single number, name or parameter is followed, anything else is a calculation that keeps its numbers.
 
-The bodies of macros name pins plainly (below). This part finds the others: arguments for
-`...`, arguments of functions whose name is pasted together, numbers behind such a name. A place in the source counts only if
-everything that it expands to is a pin, so that no other argument is changed. A pin without such a place cannot be looked up:
-its call stays without a pin.
-
-Also: flows of port numbers through macros: bodies that hold a number, a call of a platform function, or pass a parameter on.
-
-Bodies are no syntax, so their tokens are read: a single number, name or parameter is followed, anything else is a calculation
-that keeps its numbers.
+Some pins appear only in the expanded text: arguments for `...`, arguments of functions whose name is pasted together, numbers
+behind such a name. A place in the source counts only if everything that it expands to is a pin, so that no other argument is
+changed. A pin without such a place cannot be looked up: its call stays without a pin.
 """
 
 from __future__ import annotations
@@ -103,6 +98,9 @@ def _numbered_as_pins(flow: Flow) -> bool:
         for argument in flow.arguments
     ]
     return True
+
+
+# ---- pins in the expanded text
 
 
 class _Text(Struct, frozen=True):
@@ -318,6 +316,8 @@ def _translated(pin: PinParameter) -> bool:
     """Whether an adapter takes this parameter as a pin of the target; the ends of a range of pins stay source numbers."""
     return pin.range_with is None and pin.span == 1
 
+
+# ---- bodies of macros
 
 _DIRECTIVE = re.compile(r"#\s*(define|if|elif)\b(.*)", re.DOTALL)
 _INTEGER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)[uUlL]*\Z")

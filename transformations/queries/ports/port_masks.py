@@ -3,10 +3,9 @@
 The bound of a mask that is put together, stored, passed and returned is the union of all its sources. None where a source comes
 from outside or where nothing bounds it. Which bits of a register a use touches is computed by `register_bits`.
 
-Also: which expressions give the variables, parameters, results and members of a program their values.
-
-Read from the code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. A
-pointer and what it points to count as one thing, as do the elements of an array. The values themselves are computed elsewhere.
+`GivenValues` finds the sources: the expressions that give variables, parameters, results and members their values. It reads the
+code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. A pointer and what
+it points to count as one thing, as do the elements of an array.
 """
 
 from __future__ import annotations

@@ -1,17 +1,11 @@
 """How much data memory a plan's program takes, estimated from the models before it is compiled.
 
 Counted are variables that last as long as the program, texts, the buffers that adapters, the core and libraries declare, and
-the stacks of what ran on other cores. What a compiler takes out is left out as far as the model tells: what nothing that runs
-refers to, numbers that never change, variables that nothing reads. What is on the stack is `stack_depth`'s.
+the stacks of what ran on other cores. What is on the stack is `stack_depth`'s; sizes of types are `type_sizes`'.
 
-Also: the string literals of a plan's program and adapters that occupy data memory, and the initial values of local arrays.
-
-On a processor with separate memories, a string that is read like a variable is copied into data memory before main begins.
-
-Also: the variables of a plan's program that occupy data memory as long as it runs.
-
-A compiler keeps variables that change and are read; it puts numbers that never change into the code and leaves out what nothing
-reads (`compiled_code`). Sizes of types are computed by `type_sizes`.
+What a compiler takes out is left out as far as the model tells (`compiled_code`): what nothing that runs refers to, numbers that
+never change, which it puts into the code, and variables that nothing reads. On a processor with separate memories, a string that
+is read like a variable, and the initial values of local arrays, are copied into data memory before main begins.
 """
 
 from __future__ import annotations
@@ -217,6 +211,8 @@ def _changed(words: Sequence[str]) -> Iterator[str]:
             yield words[number - 2] if before == ["."] and number > 1 else word
 
 
+# ---- texts and initial values
+
 _COPIED = 3
 """Initial values of a local array with more bytes than this are copied from data memory; fewer are in the code."""
 _IN_FLASH = (["PSTR"], ["F"])
@@ -291,6 +287,9 @@ def _for_compiler(before: Sequence[Token]) -> bool:
         if word == "constexpr" or (depth < 0 and word in _COMPILER):
             return True
     return False
+
+
+# ---- variables
 
 
 class Share(Struct, frozen=True):

@@ -3,9 +3,8 @@
 Sizes follow from the platforms' models: widths of int, long, double and pointers, types that keep the width of the source. On a
 processor that reads bytes, members of structures have no gaps between them. Sizes of expressions are not computed here.
 
-Also: how many bytes the types take that pieces of adapters and placeholders declare: structures of numbers, pointers and arrays.
-
-A text that has more in it (base classes, members of a class that is not in the texts) gives no size. Methods take no room.
+Adapters and placeholders declare types, too: structures of numbers, pointers and arrays, read from their texts. A text that has
+more in it (base classes, members of a class that is not in the texts) gives no size. Methods take no room.
 """
 
 from __future__ import annotations
@@ -160,6 +159,8 @@ def _character(escape: str) -> str:
         return chr(int(code[1:], 16) & 255)
     return chr(int(code, 8) & 255) if code.isdecimal() else code
 
+
+# ---- types that texts declare
 
 _RECORD = re.compile(r"struct (?P<name>\w+) \{(?P<members>.*?)\} ?;", re.DOTALL)
 _OTHER_NAME = re.compile(r"typedef (?:struct )?(?P<type>\w+) (?P<name>\w+) ?;")
