@@ -1,18 +1,13 @@
 """The part of reading a drawing that is the same for every tool: the hardware model made of its parts, nets and wires.
 
-A reader tells, in its tool's own words, which parts are placed (`Placed`), which connectors form one net, and which wires there
-are; `CircuitBuilder` adds what is known of parts and boards, roles with their evidence, pins, rails and findings about parts.
-Files, identities and the joining of connectors are left to the readers (docs/how-to/add-a-drawing-reader.md).
+A reader tells, in its tool's own words, which parts are placed (`Placed`), what is known of them (`KnownPart`), which connectors
+(`End`) form one net, and which wires there are; `CircuitBuilder` adds what is known of boards, roles with their evidence, pins,
+rails and findings about parts. Files, identities and the joining of connectors are left to the readers
+(docs/how-to/add-a-drawing-reader.md).
 
-Also: which nets distribute a supply or ground, why, and at what voltage.
-
-A net is a rail if it holds a supply or ground pin of a board, a terminal of a supply or of a power symbol, or the connectors
-of at least two components that are named like a supply or ground: supplies are not always drawn, and a single name may lie.
-The rules are those measured as V2 and V3 on public sketches (docs/method/connector-mapping.md).
-
-Also: the records by which a reader describes a drawing: connectors (`End`), placed parts (`Placed`), known parts (`KnownPart`).
-
-`drawing.CircuitBuilder` makes the hardware model of them.
+A net is a rail if it holds a supply or ground pin of a board, a terminal of a supply or of a power symbol, or the connectors of
+at least two components that are named like a supply or ground: supplies are not always drawn, and a single name may lie. A rail
+has its reason and its voltage. The rules are those measured as V2 and V3 on public sketches (docs/method/connector-mapping.md).
 """
 
 from __future__ import annotations
@@ -433,6 +428,9 @@ def _volts(properties: Mapping[str, str]) -> str:
     return f"{value}V" if value and value[-1].isdigit() else value
 
 
+# ---- rails
+
+
 class Terminal(Struct, frozen=True):
     """A connector as the rules see it: its component's identity, title, role (none where it only steers a supply) and stated
     voltage, its own id, name and kind."""
@@ -496,6 +494,9 @@ def _voltage(board: Sequence[Terminal], supplies: Sequence[Terminal], named: Seq
             return label
         supplied = supplied or any(terminal.kind == "supply" for terminal in terminals)
     return ""
+
+
+# ---- records by which a reader describes a drawing
 
 
 class End(NamedTuple):

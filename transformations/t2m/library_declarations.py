@@ -1,14 +1,9 @@
 """Text to model: what one header of a C++ library declares for its users: classes, functions, constants, enumerations.
 
-The text is read as it stands. No header that it includes is needed, no macro is expanded, and of a condition all branches
-count (only the first, where a branch holds a piece of a declaration): so an installed library gives facts wherever it
-lies, of the same kind as the facts that ship. Bodies are skipped; what is not understood is skipped up to the next
-declaration. Nothing here nests: open brackets and scopes are kept in lists.
-
-Also: tokenizes C++ headers for reading declarations, and skips what is no declaration.
-
-Comments and directives are dropped and no macro is expanded. All branches of a condition are used; if one contains an
-incomplete declaration, only the first non-empty branch. `library_declarations` reads the declarations.
+The text is read as it stands. No header that it includes is needed, no macro is expanded, comments and directives are dropped. Of
+a condition all branches count; if one holds a piece of a declaration, only the first that is not empty. So an installed library
+gives facts wherever it lies, of the same kind as the facts that ship. Bodies are skipped; what is not understood is skipped up to
+the next declaration. Nothing here nests: open brackets and scopes are kept in lists.
 """
 
 from __future__ import annotations
@@ -360,6 +355,8 @@ def _behind_body(parts: list[Part], at: int) -> int:
 
 
 MOST_TOKENS, MOST_NAMES = 400_000, 4_000
+
+# ---- tokens
 
 Part = tuple[str, str]
 """Kind and text of a token."""

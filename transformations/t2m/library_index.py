@@ -2,14 +2,13 @@
 
     python -m robosmi.transformations.t2m.library_index index.jsonl.gz platform_repo/arduino/libraries/index.sqlite api.jsonl.gz
 
-Kept are declared metadata, header names, how often each word occurs in a header (the 700 commonest words of each: the
-source has no more), and from a second file what the headers declare (`library_index`). All other text is left out. The
-file format is in `robosmi.recommend.index`, the ranking in `transformations.knowledge.libraries.library_ranking`.
+The index has declared metadata, header names, how often each word occurs in a header (the 700 commonest words of each: the
+source has no more), and from a second file what the headers declare. All other text is left out. The file format is in
+`robosmi.recommend.index`, the ranking in `transformations.knowledge.libraries.library_ranking`.
 
-Also: text to model: facts about what libraries declare, one header a row, become values of `robosmi.recommend.library_api`.
-
-Rows come from a file of facts (JSON lines) or from `library_declarations`. Both are brought to one spelling, and what only
-looks like a declaration (a macro call, which has no type) is left out. `installed_libraries` finds installed headers.
+What a header declares becomes a value of `robosmi.recommend.library_api`. Its row comes from the file of facts or, for installed
+headers (`installed_libraries`), from `library_declarations`. Both are brought to one spelling, and what only looks like a
+declaration (a macro call, which has no type) is left out.
 """
 
 from __future__ import annotations
@@ -141,6 +140,8 @@ def main(arguments: list[str]) -> int:
     print(f"{arguments[1]}: {libraries} libraries, {headers} headers")
     return 0
 
+
+# ---- what headers declare
 
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
 _API_FIX = "use a file with one header per line; the README next to the index has the format"

@@ -4,12 +4,10 @@ A reader of such a tool fills a `Schematic`: parts with the pins of their symbol
 decides what the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not
 drawn, solder bridges, power symbols. Files and the joining of pins are left to the readers.
 
-Also: boards in drawings of tools whose libraries anyone writes: which board a symbol stands for, by what it is called and its
-pins.
-
-A board's file says under `drawn_symbols` what such symbols are called (shields too: a shield is drawn as the board that it is
-put on); their pins bear the labels that are printed on the board, in many spellings. Catalogues with ids of their own are the
-business of `drawn_boards`, bare microcontrollers that of `drawn_chips`.
+In these tools anyone writes libraries, so a board's symbol is recognised by what it is called and by its pins. A board's file
+lists under `drawn_symbols` what such symbols are called (shields too: a shield is drawn as the board that it is put on); their
+pins bear the labels that are printed on the board, in many spellings. Catalogues with ids of their own are the business of
+`drawn_boards`, bare microcontrollers that of `drawn_chips`.
 """
 
 from __future__ import annotations
@@ -454,6 +452,8 @@ def hertz_of(value: str) -> int:
     except ValueError:
         return 0
 
+
+# ---- boards
 
 LEAST_PINS = 6
 """Minimum number of labelled pins of a board's symbol; logos and parts of boards have fewer."""

@@ -1,10 +1,10 @@
 """The builders of C and of what C++ adds, put together; programs of both are read with one set.
 
-Also: builders of what C++ has beyond C, as far as the metamodel `ccode` can say it; programs of both are read with one set.
-
-Classes become records with methods, templates what they are a template of, `extern "C"` blocks their declarations, `try` a block
-with its handlers, `new`, `delete` and `throw` unary operators, a call of an overloaded operator the operation that the text has.
-What has no form in the metamodel (a structured binding) stays text, and its calls are listed as unresolved.
+The builders of C are in `declarations`, `statements`, `expressions` and `types`. Those of C++ are here, as far as the metamodel
+`ccode` can express it. Classes become records with methods, templates what they are a template of, `extern "C"` blocks their
+declarations, `try` a block with its handlers, `new`, `delete` and `throw` unary operators, a call of an overloaded operator the
+operation that the text has. What has no form in the metamodel (a structured binding) stays text, and its calls are listed as
+unresolved.
 """
 
 from __future__ import annotations

@@ -1,14 +1,11 @@
 """Links uses to declarations once all units are built, and makes the externals of a program.
 
 A name of the program's own is linked to its element: by the parser's declaration, or by name for a function that is called
-before it is declared or stands in another unit. Any other name becomes one external a program. Signatures of functions
-that no header declares are inferred in `inference`.
+before it is declared or stands in another unit. Any other name becomes one external a program.
 
-Also: the signature of a function that nothing declares, inferred from its calls.
-
-Rules as measured on real programs with libclang: the number of arguments, an argument's class
-(integer, real, pointer, record), a first argument with a percent sign for a variadic function, a value that is used for a
-function that is not void. A guess is a guess: the linkage says so.
+The signature of a function that nothing declares is inferred from its calls, by rules measured on real programs with libclang:
+the number of arguments, an argument's class (integer, real, pointer, record), a first argument with a percent sign for a variadic
+function, a value that is used for a function that is not void. The linkage marks it as a guess.
 """
 
 from __future__ import annotations
@@ -318,6 +315,9 @@ _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = (
     (type_kinds.CONSTANTARRAY, type_kinds.INCOMPLETEARRAY, type_kinds.VARIABLEARRAY),
     (type_kinds.FUNCTIONNOPROTO, type_kinds.FUNCTIONPROTO),
 )
+
+
+# ---- inferred signatures
 
 
 class CallSite(Struct):

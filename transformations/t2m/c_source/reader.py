@@ -1,12 +1,11 @@
 """Reads C programs: files in, a code model and findings out.
 
-The order of the steps is here, the steps are in the other modules of this package: bytes and tokens (`source`, `lexer`),
-parsing (`parsing`), elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`,
-`macros`), links (`linking`), coverage and findings (`coverage`, `checks`).
+The order of the steps is here, the steps are in the other modules of this package: parsing with bytes and tokens (`parsing`),
+elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`, `macros`), links (`linking`), coverage and
+findings (`coverage`, `checks`).
 
-Also: cycles of includes in a program without an include guard that would end them.
-
-The reader breaks such cycles (`headers`); a compiler gives up. Includes under a condition may end and are not judged.
+The parser breaks cycles of includes (`headers`), at which a compiler gives up. So a cycle that no include guard ends is reported
+here (RS114); includes under a condition may end and are not judged.
 """
 
 from __future__ import annotations
@@ -247,6 +246,8 @@ def _unit(
             connect(use, "macro", macro)
     return unit
 
+
+# ---- cycles of includes
 
 CIRCLE = "RS114"
 _OPENS = ("if", "ifdef", "ifndef")

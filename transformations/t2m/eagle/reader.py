@@ -1,10 +1,9 @@
-"""The transformation itself: an EAGLE schematic in, a `hardware.Circuit` and findings out.
+"""Reads an EAGLE schematic: a file in, a `hardware.Circuit` and findings out.
 
 Parts have the names that EAGLE gives them, which are also their identities. A pin on an unknown part, an unknown pin, or a name
-that stands twice, is left out and reported. `document` reads the file, `schematic` decides what symbols stand for.
+that stands twice, is left out and reported. `schematic` decides what symbols stand for.
 
-Also: an EAGLE schematic as records: parts with their devices, nets with the pins on them over all sheets and module instances.
-
+The file is first read into records: parts with their devices, nets with the pins on them over all sheets and module instances.
 Nets of one name are one net, whatever sheet they are on. Parts and nets of a module instance are prefixed with its name
 (`M1:R1`); a net of the instance that has the name of one of the module's ports is joined with that port's net outside. Supply
 pins of gates that are not drawn are on the net of their name, as in EAGLE.
@@ -163,6 +162,8 @@ def _part(identity: str, part: EaglePart, wired: Mapping[tuple[str, str], str]) 
         defined=found is not None,
     )  # fmt: skip
 
+
+# ---- the file as records
 
 MOST_PARTS = 20_000
 """Parts of a schematic, those of module instances counted with each; the largest public one has a few thousand."""

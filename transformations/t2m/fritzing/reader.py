@@ -1,12 +1,10 @@
-"""The transformation itself: a Fritzing file in, a `hardware.Circuit` and findings out.
+"""Reads a Fritzing sketch: a file in, a `hardware.Circuit` and findings out.
 
 The order of work: bytes (`container`), records (`document`), definitions in the file (`part_file`) and parts that Fritzing makes
-up (`generated_parts`), nets of the view that is believed (`nets`). What is known of parts, roles, pins, rails and the
+up (`generated_parts`), nets of the view that is used (`nets`). What is known of parts, roles, pins, rails and the
 model itself are made as for every tool (`t2m/drawing`). Components are in the order of their model index and connectors in
 their part's order, so that the same drawing gives the same model. Of parts that conduct by bus only, such as breadboards, only
 the connectors that the drawing uses become elements of the model.
-
-Also: selects the view of a sketch that is used.
 
 Fritzing stores the connections in each of its views, and they should agree. The breadboard view is used; where it connects no
 parts, the schematic and then the PCB view; where the first two disagree, that is a finding. The views are never united, since
@@ -202,6 +200,9 @@ class _Reading:
                 instance.line,
                 "open the sketch in Fritzing and check this connection",
             )
+
+
+# ---- the view that is used
 
 
 def believed(

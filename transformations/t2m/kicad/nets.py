@@ -1,15 +1,13 @@
-"""Which pins of a KiCad schematic are one net: by position, by wires and junctions, by labels, across sheets.
+"""Which pins of a KiCad schematic are one net: by position, by wires and junctions, by labels, by buses, across sheets.
 
 The rules are those of KiCad's own netlist. A wire joins what is at its ends; a junction or a label joins the wires that pass
 its position; pins at one position are joined. Labels of a sheet join by their text on that sheet; global labels and power
 symbols join everywhere, and include what bears their name on the same sheet. A pin of a sheet symbol is joined with the label
-of its name inside the sheet. Each member of a bus is joined by its name.
-
-Also: buses of a KiCad sheet: the names of their members, and which members are joined where a bus enters a sheet.
+of its name inside the sheet.
 
 A bus is named by the labels on its lines: a vector (`D[0..7]`), a group (`{SCL SDA}`, `USB{DP DM}` with the member `USB.DP`),
 or one of these with an alias for several members (`bus_alias`). Nets join a bus by the names of its members. Where a bus has
-two names, members of equal names are joined, and members of different names by position, as in KiCad's own netlist.
+two names, members of equal names are joined, and members of different names by position.
 """
 
 from __future__ import annotations
@@ -145,6 +143,8 @@ def _passes(wire: Wire, place: Point) -> bool:
         return False
     return (x2 - x1) * (place.y - y1) == (y2 - y1) * (place.x - x1)
 
+
+# ---- buses
 
 _VECTOR = re.compile(r"(.*)\[([0-9]{1,4})\.\.([0-9]{1,4})\]((?s:.*))")
 _GROUP = re.compile(r"([^{}]*(?<!\$))\{(.*)\}")  # `${NAME}` is a text variable

@@ -1,13 +1,12 @@
-"""Removes from a text what libclang cannot take: nesting that would overflow its stack, macros that expand without bound.
+"""Removes from a text what libclang cannot take: deep nesting, macros that expand without bound, names declared again and again.
 
 libclang crashes on deep nesting, and takes the process with it; its own limit on brackets does not count operators, casts,
 branches and `else if`. So what nests too deep is found in the tokens, cut out of the copy that is parsed, and reported; the
 rest of the file is read. Real programs are far below the limits. `error_recovery` applies the edits to the copy.
 
-Also: limits how often one name is declared in one scope: libclang compares each declaration with all before it.
-
-C allows a name one definition, and a text with hundreds was made by a tool; parsing it would take minutes. So those beyond
-`MOST_DECLARED` are cut out of the copy that is parsed, as is what nests too deep (`bounds`), and are reported in the same way.
+libclang compares each declaration of a name with all before it in the scope. C allows a name one definition, and a text with
+hundreds was made by a tool; parsing it would take minutes. So those beyond `MOST_DECLARED` are cut out and reported in the same
+way.
 """
 
 from __future__ import annotations
@@ -446,6 +445,8 @@ def _open_at_once(
         peak, most_given = max(peak, sum(levels)), max(most_given, sum(given))
     return (min(peak, most), min(max(1, levels[0]), most), min(most_given, repeats)) if len(levels) == 1 else unmatched
 
+
+# ---- declarations of one name
 
 MOST_DECLARED = 400
 """Declarations of one name in one scope, each alternative of `#if` and `#else` counted."""

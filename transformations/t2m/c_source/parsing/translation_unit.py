@@ -4,11 +4,9 @@ The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). T
 declarations for undeclared names (`prelude`), the third for names that only then came to light. Where the text is damaged, some
 more of a copy that is mended step by step (`error_recovery`); the complaints stay, offsets are those of the file.
 
-Also: calls libclang for one text, and keeps what stays the same from one parse of it to the next.
-
-Headers that were parsed before are loaded from precompiled headers (`precompiled`). The compiler's own macros, the platform's or
-some four hundred of libclang, are left out where nothing that is parsed has one of their names. `parsing` decides which parses
-are made.
+`Call` runs libclang and keeps what stays the same from one parse to the next. Headers that were parsed before are loaded from
+precompiled headers (`precompiled`). The compiler's own macros, the platform's or some four hundred of libclang, are left out
+where nothing that is parsed has one of their names.
 """
 
 from __future__ import annotations
@@ -297,6 +295,8 @@ def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:
         lib.disposeDiagnostic(handle)
     return found
 
+
+# ---- one call of libclang
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
