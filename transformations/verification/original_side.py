@@ -2,12 +2,10 @@
 
 The differences between these runs of one scenario show how exact a comparison can be, and whether the scenario is racy.
 
-Also: which numbers of printed text are measured: those that change if the devices show a little more or less.
-
-Two boards never measure exactly alike, so a measured number may differ. All other numbers of the same text, such as a counter
-or the number of a channel, do not depend on measurements and must be equal on every board. Two further runs of the source with
-other measured values find them. If the accuracy of the measurements is known, more runs yield the range in which a measured
-number may lie, so that a number that is always one too large is not excused.
+Two boards never measure exactly alike, so a measured number in printed text may differ. All other numbers of the same text, such
+as a counter or the number of a channel, do not depend on measurements and must be equal on every board. Two further runs of the
+source, whose devices show a little more and a little less, tell which numbers change. If the accuracy of the measurements is
+known, more runs yield the range in which a measured number may lie, so that a number that is always one too large is not excused.
 """
 
 from __future__ import annotations
@@ -406,6 +404,8 @@ def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
 def _by_channel(seen: Sequence[ChannelEvents]) -> dict[str, list[list[list[ActivityEvent]]]]:
     return {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
 
+
+# ---- measured numbers in printed text
 
 _PARTS = (0.07, -0.07)
 """Relative changes of measured values that are larger than two boards may differ by."""

@@ -1,6 +1,4 @@
-"""The places at which the simulated devices of a program rest in a run, and their comparison with the target's.
-
-Also: comparing the places at which driven devices, such as wheels, rest between two motions.
+"""The places at which driven devices, such as wheels, rest between two motions, and their comparison with the target's.
 
 A robot that turns by 69 degrees instead of 90 makes the same motions at nearly the same times, so the places at which its wheels
 rest are compared. If the program drives to a place by what its encoders report, all correct runs rest within a known distance
@@ -86,6 +84,8 @@ def _rests(trace: PinTrace, number: int) -> list[Rest]:
             )
     return found
 
+
+# ---- the comparison
 
 _LEAST_MARGIN = 0.2
 """The part of the allowed distance that the target may differ beyond runs of the source that differ by all of it."""

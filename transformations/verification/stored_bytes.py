@@ -4,7 +4,7 @@ Each byte that changes is an event, in the order in which they change. The adapt
 there already; the board of the source writes up to 128 bytes together. So only changes count, and each byte that follows
 another one at once may come later by the time that the target's memory takes.
 
-Also: the scenario in which both programs begin with what the source has stored in an earlier run.
+In one more scenario both programs begin with what the source has stored in an earlier run.
 """
 
 from __future__ import annotations

@@ -1,10 +1,8 @@
 """The devices of a scenario: which are connected to either board, and what each of them shows.
 
-`port_devices` says which device is at a port. Nothing is run here.
-
-Also: check the values of a scenario's signals: only what the device can show, as `platform_repo/simulation` says.
-
-Otherwise the models of the two boards might play an impossible value differently.
+`port_devices` says which device is at a port. A signal may have only values that its device can show, as
+`platform_repo/simulation` lists them: the models of the two boards might play an impossible value differently. Nothing is run
+here.
 """
 
 from __future__ import annotations
@@ -170,6 +168,9 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
 
 def _names(port: BoundPort) -> tuple[str, ...]:
     return (port.component, port.name, f"#{port.identity}" if port.identity else "", port.source, port.target)
+
+
+# ---- values of signals
 
 
 def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, Any], place: Location | None = None) -> None:

@@ -3,11 +3,6 @@
 The ports, their pins on the target and the functions that use them are those of a stored plan. Which device a function stands
 for is data of the source platform (`devices.toml`), what devices show at rest is data of the simulation. `wired_devices` finds
 devices with several ports; `played_devices` plays the signals of a scenario with all of them. Nothing is run here.
-
-Also: the numbers with which a program compares those that it reads, such as what is typed on its console.
-
-A number that was read is followed by names: through assignments, arguments, results of functions and pointers to what is to
-hold it. Names are not told apart by the function that they belong to, so that a number too many may be found.
 """
 
 from __future__ import annotations

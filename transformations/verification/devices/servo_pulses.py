@@ -1,6 +1,7 @@
 """The common part of devices on a servo's line: they measure its pulses, and stop when no more pulses come.
 
-Also: how far apart two correct programs may take a device that they drive for a time.
+Two correct programs may take a device that they drive for a time to places that differ a little; `MotionTolerance` computes how
+far apart.
 """
 
 from __future__ import annotations

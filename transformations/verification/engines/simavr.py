@@ -1,13 +1,8 @@
 """The engine `simavr`: the library libsimavr (GPL-3, Debian's libsimavr2), reached through ctypes, in the worker's process only.
 
-Nothing of it is shipped or linked; what is known of it is in `simavr`. The clock is read from a timer that never fires.
-`avr_run` runs one instruction, or a few where that can be asked for: the C library's `lfind` calls it in a loop, which is eleven
-times faster than a loop in Python.
-
-Also: the library libsimavr for ctypes: where it is, its functions, and the few parts of its structures that are used.
-
-`simavr` is the engine that uses it. No layout of its structures is relied on, except for the head of `elf_firmware_t`, which
-versions 1.4 to 1.8 have in common.
+Nothing of it is shipped or linked. No layout of its structures is relied on, except for the head of `elf_firmware_t`, which
+versions 1.4 to 1.8 have in common. The clock is read from a timer that never fires. `avr_run` runs one instruction, or a few
+where that can be asked for: the C library's `lfind` calls it in a loop, which is eleven times faster than a loop in Python.
 """
 
 from __future__ import annotations
@@ -416,6 +411,8 @@ def _version() -> str:
     found = re.search(r"so\.([\d.]+)$", ctypes.util.find_library("simavr") or "")
     return f"libsimavr.so.{found[1]}" if found else "unknown"
 
+
+# ---- the library
 
 _IN_A_ROW = 64
 """Cycles that the library may run before it checks its timers, earlier if one is due: a third faster."""

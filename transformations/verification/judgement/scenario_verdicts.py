@@ -1,14 +1,13 @@
-"""Run the migrated program in each scenario, and compare it with what the original has done there.
+"""Runs the migrated program in each scenario, and compares it with what the original has done there.
 
 Of each run of the migrated program only the events of the channels are kept, since a trace may have some hundred thousand
 edges: only the traces of the runs in progress are in memory.
 
-Also: a second look at a scenario in which the migrated program differs: does the source differ from itself there as well?
-
-The few varied runs of a scenario are a sample. If an input changes just beside the instant at which the program reads it, only
-some of them, by chance, see it at the next read; the same holds for the servo frame in which a new speed takes effect. So if
-there is a difference, further runs are made, and it counts only if they do not show it themselves. Nor does it count if the
-target does, on all channels that differ, what the source does if it sees its inputs a pass of its loop earlier or later.
+A scenario in which the migrated program differs gets a second look: does the source differ from itself there as well? The few
+varied runs of a scenario are a sample. If an input changes just beside the instant at which the program reads it, only some of
+them, by chance, see it at the next read; the same holds for the servo frame in which a new speed takes effect. So further runs
+are made, and the difference counts only if they do not show it themselves. Nor does it count if the target does, on all channels
+that differ, what the source does if it sees its inputs a pass of its loop earlier or later.
 """
 
 from __future__ import annotations
@@ -117,6 +116,9 @@ def compare_scenarios(
         target = {name: events for name, (events, *_) in channel_events(seen, ports, target=True).items()}
         found.kept.append(ComparedScenario(told, runs, target, seen if whole else None))
     return found
+
+
+# ---- a second look
 
 
 def looked_at_again(

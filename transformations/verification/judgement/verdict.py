@@ -3,13 +3,11 @@
 The comparison of a single channel is in `original_side` and `robosmi.verify.traces.comparison`, the verdict on all scenarios
 together in `robosmi.verify.traces.verdict`. If nothing was compared at all, this module says why.
 
-Also: compares the order of events on different pins that follow each other too closely for their times to tell.
-
 The comparison of a channel tolerates tens of milliseconds, so two lamps that flash a millisecond apart could be swapped unseen.
-If a single thread of the program causes both, and the source keeps their order and distance whatever its steps cost, the order
-is intended. Only events with a sharp begin are compared: levels and begins of waves, not servo frames, and not text, which is
-sent later than it is printed. Near a change of an input the order may depend on where in its loop the program is, so nothing is
-compared there.
+So the order of events on different pins is compared, too. If a single thread of the program causes both, and the source keeps
+their order and distance whatever its steps cost, the order is intended. Only events with a sharp begin are compared: levels and
+begins of waves, not servo frames, and not text, which is sent later than it is printed. Near a change of an input the order may
+depend on where in its loop the program is, so nothing is compared there.
 """
 
 from __future__ import annotations
@@ -277,6 +275,8 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
         parts.append(f"{', '.join(lines)}: a bus or serial line (check it on the bench)")
     return f"nothing was compared: {'; '.join(parts)}"
 
+
+# ---- the order of events on different pins
 
 _SURE_MS = 0.3
 """Events closer to each other have no order: the source's times are not known below about 100 us."""

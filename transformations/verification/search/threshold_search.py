@@ -3,12 +3,9 @@
 Faults that move a border show beside it and nowhere else. Whether there is one is told by short runs of the source, of which
 hundreds take a second (`branch_thresholds`); only what is found there becomes a scenario.
 
-Also: the stages of a search for scenarios in which it matters what an input has shown before.
-
-Borders part the values of an input into bands. A program with a hysteresis leaves a band at another value than the one at which
-it enters it, and one that keeps a state may do something else for each band that it comes from.
-
-Also: the numbers that an input of a program shows: which ones, how finely, and beside a border.
+Borders part the values of an input into bands. What the input has shown before may matter: a program with a hysteresis leaves a
+band at another value than the one at which it enters it, and one that keeps a state may do something else for each band that it
+comes from. So each band is entered from each other one.
 """
 
 from __future__ import annotations
@@ -246,6 +243,8 @@ def _look(trials: Trials, each: ScenarioInput, value: Json, background: Signals)
     return trials.look({**background, **constant(each, value)}, min(trials.horizon, _seen_after_ms(trials, each)))
 
 
+# ---- bands
+
 _MOST_BANDS = 5
 _TURNS = 5
 """So often an input goes from its first band to its last one: a program may count lines that it crosses."""
@@ -332,6 +331,8 @@ def _all_ways(count: int) -> Iterator[int]:
             yield other
             yield first
 
+
+# ---- numbers that an input shows
 
 _PART = 0.001
 """A border is found to this part of itself."""

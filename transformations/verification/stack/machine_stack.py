@@ -1,16 +1,12 @@
 """An upper bound of the stack that a linked AVR program takes, computed from its disassembly without running it.
 
-main, the functions that run before it, and the interrupt handlers share one stack. `machine_stack` computes how much each
-takes with all that it calls; this module adds them up. A handler may start wherever interrupts are enabled, a handler that
-enables them may be interrupted itself, and a function that a variable `under_way` guards is entered by only one of them at a
-time.
-
-Also: how much stack each function of a linked AVR program takes, computed from its disassembly.
+main, the functions that run before it, and the interrupt handlers share one stack. `Depths` computes how much each takes with all
+that it calls; `stack_parts` adds them up. A handler may start wherever interrupts are enabled, a handler that enables them may be
+interrupted itself, and a function that a variable `under_way` guards is entered by only one of them at a time.
 
 All paths of a function are followed, instruction by instruction, with the depth of the stack (pushes, frames, and calls with
-what they take) and with whether interrupts may be enabled. `machine_code` says which functions indirect calls reach,
-`machine_stack` how interrupt handlers add to main. What cannot be computed is reported: recursive functions, and frames whose
-size is computed at run time.
+what they take) and with whether interrupts may be enabled. `machine_code` says which functions indirect calls reach. What cannot
+be computed is reported: recursive functions, and frames whose size is computed at run time.
 """
 
 from __future__ import annotations
@@ -136,6 +132,8 @@ class _Contexts:
 
 
 _SP_LOW, _SP_HIGH, _STATUS = 0x3D, 0x3E, 0x3F
+# ---- the stack of each function
+
 _PAIRS = tuple(f"r{low}" for low in range(0, 32, 2))
 """The lower registers of all pairs: the stack pointer may be computed in any of them."""
 _CALL_KEPT = (*range(2, 18), 28, 29)
