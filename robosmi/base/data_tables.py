@@ -1,6 +1,6 @@
 """Typed reading of the repository's TOML files: a value of the wrong kind is an error that names file and key.
 
-`DataTable` is one table of such a file. What the keys mean is known to `boards`, `toolchain_data` and `libraries`; nothing here
+`DataTable` is one table of such a file. The modules that read a file know what its keys mean; nothing here
 knows a key.
 """
 

@@ -1,4 +1,4 @@
-"""The states of a program of a corpus, as `programs.state` has them."""
+"""The states of a program of a corpus, as the column `state` of the table `programs` has them."""
 
 from __future__ import annotations
 

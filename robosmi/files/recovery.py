@@ -1,8 +1,8 @@
 """The start of every writing run: gets exclusive access to the output folder, and completes what a killed run had begun there.
 
 New files wait in a folder of their own until a journal lists the moves (`commit`). An interrupted commit is completed, or
-discarded if there was no journal yet. A journal that no run of this user made for this folder (see `runs`) is reported and not
-executed.
+discarded if there was no journal yet. A journal that no run of this user made for this folder (see `run_lock`) is reported and
+not executed.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The manifest: what the last run made, so that nothing a person changed is ever overwritten.
 
-`.robosmi.json` in the output folder lists every generated file with the digest it had. A file whose digest is not that
-one was edited; the run stops before anything is written. Files that no run made are never touched.
-A manifest that came with its folder from elsewhere (see `runs`) serves to compare and merge; nothing is removed on its word.
+`.robosmi.json` in the output folder lists every generated file with the digest it had. A file whose digest is not that one was
+edited; the run stops before anything is written. Files that no run made are never touched. A manifest that came with its folder
+from elsewhere (see `robosmi.files.run_lock`) serves to compare and merge; nothing is removed on its word.
 """
 
 from __future__ import annotations

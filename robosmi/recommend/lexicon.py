@@ -1,7 +1,7 @@
 """The device lexicon: what the parts of drawings are, by their model numbers, trade names and kinds. Data, read from tables.
 
 An entry states the names of a device, the more general devices that it is a kind of, whether a program needs a library for it,
-and its interface; missing values are inherited from the more general entries. `recognition` finds the entries that a part
+and its interface; missing values are inherited from the more general entries. `part_words` finds the entries that a part
 names; the usual libraries of a device are another table, read by `transformations`.
 """
 

@@ -1,7 +1,7 @@
 """What is known of one library before it is in an index: declared metadata, its headers, and the words of both.
 
-Readers (a file of facts, folders of installed libraries) make such values, `index_writer` writes them. Only facts are
-kept: names, counts of words, identifiers' words, includes, declarations; never a text. Which words a part asks for is in `words`.
+Readers (a file of facts, folders of installed libraries) make such values, `index_writer` writes them. Only facts are kept:
+names, counts of words, identifiers' words, includes, declarations; never a text. Which words a part asks for is in `part_words`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Transformation rules as declared, and bound to the models of a run.
 
 A rule is a function: its name is the rule's, its first parameter the source, the others the targets. Their types are given by
-annotations or in the decorator. `schedule` decides when rules run.
+annotations or in the decorator. `etl` decides when rules run.
 """
 
 from __future__ import annotations

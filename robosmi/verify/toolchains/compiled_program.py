@@ -3,7 +3,7 @@
 The folder `build` beside a sketch holds `<name>.elf` and `<name>.hex`, `<name>.build.json` (the record: board, libraries,
 digests of the sketch's files and of the program) and `compile_commands.json` (a compilation database as Clang defines it).
 All are written, or none. The record's form is `build_record`'s, building is done by `toolchain`, putting a program on a board by
-`upload`.
+`robosmi.verify.uploads`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Normalizes the spelling of API declarations: parameters, types, names; and recognizes literal values.
 
 Facts from elsewhere and facts read from headers get the same spelling, so that both can be compared: `(const char *name,
-uint8_t *data, bool fast=true) const`. `library_declarations` finds the declarations.
+uint8_t *data, bool fast=true) const`. `t2m.library_declarations` finds the declarations.
 """
 
 from __future__ import annotations

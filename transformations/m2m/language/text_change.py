@@ -1,6 +1,7 @@
 """The change of text that the target's language needs at one element, as the rules of `language_gap` and `old_c` return it.
 
-What a rule does to the text is in `edit_rules`; `platform_dependence` enters the changes into the plan.
+What a rule does to the text is in `m2m.partition.edit_rules`; `m2m.partition.platform_dependence` enters the changes into the
+plan.
 """
 
 from __future__ import annotations

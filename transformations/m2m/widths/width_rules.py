@@ -3,7 +3,7 @@
 The rule: an operator that the source computes in n bits is computed in at least n bits with the same signedness; plain char is
 read as unsigned where its value is widened. The walk goes from the operands up to the operators and tracks the type of each
 expression on the target, assuming that the wants below it are met, so one pass is enough. `widths` turns a want into a
-text change; types of declarations are in `width_types`. Source: ISO/IEC 9899:1999, 6.3.1 and 6.5.
+text change; types of declarations are in `queries.width_types`. Source: ISO/IEC 9899:1999, 6.3.1 and 6.5.
 """
 
 from __future__ import annotations

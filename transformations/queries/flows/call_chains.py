@@ -1,6 +1,7 @@
 """The deepest call chain through a program's own functions, in bytes of stack, given the stack that each function takes.
 
-The callers tell what a function takes: `cooperation` for coroutines, `stack_depth` for what a compiler keeps.
+The callers tell what a function takes: `queries.resources.cooperation` for coroutines, `queries.resources.stack_depth` for what a
+compiler keeps.
 """
 
 from __future__ import annotations

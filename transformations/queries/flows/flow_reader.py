@@ -1,6 +1,7 @@
 """Collects which declarations, parameters, results, array elements and members of a program can exchange values.
 
-It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_flows`.
+It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by
+`queries.ports.port_flows`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Disjoint sets of things in a program that can exchange a value, with the numbers that enter and the reasons against change.
 
-This is a union-find structure and nothing more: `port_flows` decides what is joined. Things are known by any
+This is a union-find structure and nothing more: `queries.ports.port_flows` decides what is joined. Things are known by any
 hashable key.
 """
 

@@ -2,7 +2,7 @@
 
 The target's own headers may be missing (`generated_program`). So only errors count that these headers cannot cause, and of
 undeclared names only functions that the program itself defines. The checks made while reading
-(`m2m.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
+(`m2m.language.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
 """
 
 from __future__ import annotations
