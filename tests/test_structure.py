@@ -412,6 +412,37 @@ def test_a_module_is_run_behind_all_that_it_defines() -> None:
     assert wrong == []
 
 
+NAMED = re.compile(rf"`((?:robosmi|{'|'.join(CONTENT_ABOVE)})(?:[./][A-Za-z_]\w*)+)`")
+"""A module, or a name in one, as texts call it: with its room, by points or as a path."""
+
+
+def is_there(name: str, texts: dict[str, str]) -> bool:
+    """Whether a module has this name, or one whose name this begins with has the last part of it.
+
+    Args:
+        name: as in `NAMED`, with points.
+        texts: name of each module -> its text.
+    """
+    full = name if name.startswith("robosmi.") else f"robosmi.transformations.{name}"
+    parts = full.split(".")
+    owners = (".".join(parts[:count]) for count in range(len(parts) - 1, 1, -1))
+    owner = next((each for each in owners if each in texts), "")
+    return full in texts or (owner != "" and re.search(rf"\b{parts[-1]}\b", texts[owner]) is not None)
+
+
+def test_texts_in_modules_name_only_modules_that_exist() -> None:
+    texts = {module_name(path): path.read_text(encoding="utf-8") for path in modules("robosmi", *CONTENT)}
+    named = [(module, name) for module, text in texts.items() for name in NAMED.findall(text)]
+    assert len(named) > 100
+    wrong = [
+        f"{module}: {name}"
+        for module, name in named
+        if not name.endswith(".toml") and not is_there(name.removesuffix(".py").replace("/", "."), texts)
+    ]
+    assert wrong == []
+    assert not is_there("m2m.cpp_incompatibilities", texts), "it is in m2m.language"
+
+
 def test_every_module_says_what_lives_in_it() -> None:
     assert [str(path) for path in modules("robosmi", *CONTENT, "tests") if not ast.get_docstring(tree_of(path))] == []
 

@@ -30,7 +30,7 @@ class Needed:
 
 
 class PieceSource(Protocol):
-    """Where pieces come from; `knowledge.adapter_index.AdapterIndex` is one."""
+    """Where pieces come from; `knowledge.adapters.adapter_index.AdapterIndex` is one."""
 
     @property
     def headers(self) -> Sequence[str]:
