@@ -36,14 +36,7 @@ from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.api_build import AT_THE_API, compile_to_run
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
-from robosmi.transformations.verification.bound_devices.port_devices import (
-    BoundPort,
-    bound_ports,
-    numbers_understood,
-    reads_console,
-    resting_pins,
-    texts_understood,
-)
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.engine_original import engine_original, source_board_of
 from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
@@ -59,6 +52,7 @@ from robosmi.transformations.verification.original_side import (
     run_varied,
 )
 from robosmi.transformations.verification.originals import original_program, written_sources
+from robosmi.transformations.verification.search.scenario_inputs import numbers_understood, reads_console, texts_understood
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, most_stored

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.verification.bound_devices.port_devices import compared_numbers
+from robosmi.transformations.verification.search.scenario_inputs import compared_numbers
 
 READS = frozenset(["getDec", "scan"])
 

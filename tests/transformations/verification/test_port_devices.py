@@ -14,14 +14,9 @@ from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played, signals_of
-from robosmi.transformations.verification.bound_devices.port_devices import (
-    BoundPort,
-    bound_ports,
-    reads_console,
-    resting_pins,
-    texts_understood,
-)
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
+from robosmi.transformations.verification.search.scenario_inputs import reads_console, texts_understood
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 

@@ -1,20 +1,30 @@
 """The values that a search for scenarios gives to a program's inputs: constant, in sequence, combined, and at random.
 
 The signals are those of the devices at the program's ports; `scenario_search` runs the program with them.
+
+What is typed on the console are texts and numbers that the program compares with what it reads. A number that was read is
+followed by names: through assignments, arguments, results of functions and pointers to what is to hold it. Names are not told
+apart by the function that they belong to, so that a number too many may be found.
 """
 
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import product
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.data_text import Json
+from robosmi.metamodels import ccode, migration
+from robosmi.model.elements.strict import Element
+from robosmi.query import all_contents
+from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.place_names import named, names_within
+from robosmi.transformations.queries.values import Values
 from robosmi.transformations.verification.bound_devices.played_devices import CONSOLE, TYPING
-from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, at_rest
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, at_rest, device_table
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.verify.scenario import POINTS, Points
 
@@ -215,3 +225,157 @@ def turned(one: ScenarioInput, other: ScenarioInput, backwards: bool) -> dict[st
             (at, value) for at, value in zip(times, each.series, strict=False)
         )
     return signals
+
+
+# ---- what a program understands of what is typed
+
+_MOST_TEXTS = 24
+_NUMBERS = (50, 70000)
+_NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
+_MOST_COMPARED = 12
+"""At most this many numbers that a program compares are typed, each with its neighbours."""
+_NUMBERS_BEFORE = ("1\r", "1\r1\r")
+"""Other numbers that a program may read first."""
+_LARGEST = 2**31 - 1
+
+
+def reads_console(plan: migration.MigrationPlan) -> bool:
+    """Whether a plan's program reads what is typed."""
+    assert plan.source is not None
+    known = device_table(str(plan.source.name)).table("console").texts("reads", ())
+    assert plan.program is not None
+    if any(use.name in known for use in plan.adapterUses):
+        return True
+    return not plan.adapterUses and any(
+        isinstance(element, ccode.Call) and element.calleeName in known
+        for unit in plan.program.units
+        for element in all_contents(unit)
+    )
+
+
+def texts_understood(plan: migration.MigrationPlan) -> list[str]:
+    """Texts that a plan's program may react to: the characters in its code, and, as lines, the texts that it compares with.
+
+    If it compares with variables, these are the texts in its initializers. If it converts text to numbers, each text is also
+    given with a number after it, one of them beyond 16 bits, and there are lines of several numbers.
+    """
+    shown, words, reads_numbers = _understood(plan)
+    texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
+    if not reads_numbers:
+        return texts
+    behind = [f"{before}{number}\r" for number in _NUMBERS for before in (*(f"{word} " for word in words), *shown)]
+    return [*texts, *_NUMBER_LINES, *behind[:_MOST_TEXTS]]
+
+
+def numbers_understood(plan: migration.MigrationPlan) -> list[tuple[str, int]]:
+    """The numbers that a plan's program compares with those that it reads, each with a text to type before it.
+
+    That text is empty, one that the program may react to, or other numbers that it reads first. If the program compares none
+    with a constant, 0 stands for them.
+    """
+    assert plan.program is not None
+    assert plan.source is not None
+    shown, words, reads_numbers = _understood(plan)
+    before = ["", *[*(f"{word} " for word in words), *shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]]
+    numbers = compared_numbers(plan.program, device_table(str(plan.source.name)).table("console").texts("numbers", ()))
+    if reads_numbers:
+        before += _NUMBERS_BEFORE
+        numbers = numbers or [0]
+    return [(each, number) for number in numbers[:_MOST_COMPARED] if abs(number) < _LARGEST for each in before]
+
+
+def _understood(plan: migration.MigrationPlan) -> tuple[list[str], list[str], bool]:
+    """The characters and the texts that a plan's program may react to, and whether it converts text to numbers."""
+    assert plan.program is not None
+    assert plan.source is not None
+    console = device_table(str(plan.source.name)).table("console")
+    compares, numbers = console.texts("compares", ()), console.texts("numbers", ())
+    letters: dict[str, None] = {}
+    words: dict[str, None] = {}
+    reads_numbers = of_tables = False
+    for element in (e for unit in plan.program.units for e in all_contents(unit)):
+        if isinstance(element, ccode.CharacterLiteral):
+            letters.setdefault(chr(int(element.value) & 0xFF))
+        elif isinstance(element, ccode.Call) and element.calleeName in compares:
+            literals = [a for a in element.arguments if isinstance(a, ccode.StringLiteral)]
+            words |= {str(a.text).strip('"'): None for a in literals}
+            of_tables = of_tables or not literals
+        elif isinstance(element, ccode.Call):
+            reads_numbers = reads_numbers or element.calleeName in numbers
+    if of_tables:  # input is compared with the content of a variable
+        lists = [e for unit in plan.program.units for e in all_contents(unit) if isinstance(e, ccode.InitializerList)]
+        words |= {str(e.text).strip('"'): None for each in lists for e in each.elements if isinstance(e, ccode.StringLiteral)}
+    return [letter for letter in letters if letter.isprintable()], list(words), reads_numbers
+
+
+def compared_numbers(program: ccode.Program, reads: Collection[str]) -> list[int]:
+    """The constants with which a program compares numbers that it has read, in text order, each once.
+
+    Args:
+        program: the program.
+        reads: the names of the functions that read numbers, and give them as results or through arguments.
+    """
+    units = [(unit, list(all_contents(unit))) for unit in program.units]
+    holders = {f"{name}()" for name in reads}
+    known = 0
+    while known < len(holders):
+        known = len(holders)
+        for element in (each for _, elements in units for each in elements):
+            holders.update(_given(element, holders, reads))
+    found: list[int] = []
+    for unit, elements in units:
+        values = Values(program, unit)
+        for element in elements:
+            for constant in _compared(element, holders):
+                if not any(isinstance(each, ccode.CharacterLiteral) for each in (constant, *all_contents(constant))):
+                    found += [value.number for value in values.of(constant) if value.number is not None]
+    return list(dict.fromkeys(found))
+
+
+def _given(element: Element, holders: set[str], reads: Collection[str]) -> Iterator[str]:
+    """The names that get a number that was read, or a pointer to what gets one, by an element."""
+    if isinstance(element, ccode.Assignment):
+        if _holds(element.right, holders):
+            yield from _holder(element.left)
+    elif isinstance(element, ccode.Variable):
+        if _holds(element.initializer, holders):
+            yield str(element.name)
+    elif isinstance(element, ccode.Function):
+        if any(isinstance(each, ccode.Return) and _holds(each.value, holders) for each in all_contents(element)):
+            yield f"{element.name}()"
+    elif isinstance(element, ccode.Call):
+        parameters = [] if element.callee is None else [str(each.name) for each in element.callee.parameters]
+        for number, argument in enumerate(element.arguments):
+            parameter = parameters[number] if number < len(parameters) else ""
+            if element.calleeName in reads or (parameter in holders and _is_address(argument)):
+                yield from _holder(argument)
+            elif parameter and _holds(argument, holders):
+                yield parameter
+
+
+def _compared(element: Element, holders: set[str]) -> Iterator[Element]:
+    """The expressions with which an element compares a number that was read."""
+    if isinstance(element, ccode.Binary) and str(element.operator) in COMPARISONS:
+        for side, other in ((element.left, element.right), (element.right, element.left)):
+            if other is not None and _holds(side, holders):
+                yield other
+    elif isinstance(element, ccode.Switch) and _holds(element.selector, holders):
+        for case in all_contents(element):
+            if isinstance(case, ccode.Case) and case.constant is not None:
+                yield case.constant
+
+
+def _is_address(expression: Element) -> bool:
+    return isinstance(expression, ccode.Unary) and str(expression.operator) == "&"
+
+
+def _holder(expression: Element | None) -> Iterator[str]:
+    """The name of the variable or member that an expression denotes, or points to; a member's name begins with a point."""
+    while isinstance(expression, (ccode.Index, ccode.Unary, ccode.Cast)):
+        expression = expression.array if isinstance(expression, ccode.Index) else expression.operand
+    yield from named(expression)
+
+
+def _holds(expression: Element | None, holders: set[str]) -> bool:
+    """Whether an expression has a number that was read."""
+    return not holders.isdisjoint(names_within(expression))
