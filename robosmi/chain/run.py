@@ -27,7 +27,7 @@ from robosmi.chain.state import State, StepState, digest_of, digest_of_all, find
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
-from robosmi.files.files import write_atomic
+from robosmi.files.files import free_name, write_atomic
 from robosmi.plugins import raised_by, unloadable
 
 if TYPE_CHECKING:
@@ -286,8 +286,6 @@ class ChainRun:
             name = relative(path, self.folder)
             if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
                 if self.force:
-                    from robosmi.files.files import free_name
-
                     kept = free_name(self.folder, f"{name}.orig")
                     if not self.dry_run:
                         write_atomic(self.folder / kept, inputs.read_bytes(path, inputs.MODEL))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Self, TypeAlias, cast
 
 from robosmi import inputs
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.files.files import read_input
+from robosmi.files.files import read_input, write_atomic
 from robosmi.model.elements.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type, refuse_unknown_attribute
 from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_children import ChildList
@@ -257,8 +257,6 @@ class XmlModel(Model):
         Raises:
             ModelError: it has no root, or elements were created and put nowhere.
         """
-        from robosmi.files.files import write_atomic
-
         write_atomic(self._target(path), self.to_bytes())
 
     def to_bytes(self) -> bytes:

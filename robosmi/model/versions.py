@@ -18,7 +18,7 @@ from robosmi.errors import ModelError, RuleError
 from robosmi.model.ecore.metamodels import Metamodels
 from robosmi.model.elements.by_name import feature_values
 from robosmi.model.elements.ecore import DynamicEObject, EObject, Package
-from robosmi.model.elements.features import as_package
+from robosmi.model.elements.features import all_features, as_package, is_computed
 from robosmi.model.xmi.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
 
@@ -141,7 +141,6 @@ def _namespace(root: EObject) -> str:
 
 def _reference_into(root: EObject, replaced: list[EObject]) -> EObject | None:
     """An element of a model that refers to one of those that were replaced, or None."""
-    from robosmi.model.elements.features import all_features, is_computed
     from robosmi.model.elements.structure import root_of, walk
 
     for element in walk(root):

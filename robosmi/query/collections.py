@@ -20,7 +20,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Never, Protocol, Self, TypeVar, overload
 
 from robosmi.query.changes import Changeable
-from robosmi.query.first_order import FirstOrder, grouped, reached
+from robosmi.query.first_order import FirstOrder, grouped, reached, sorted_by
 from robosmi.query.items import Items, R, T
 from robosmi.query.maps import Entries, Fields, K, V
 from robosmi.query.problems import OperandError
@@ -235,8 +235,6 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         Raises:
             OperandError: the values have no order between them, as a number and a text.
         """
-        from robosmi.query.first_order import sorted_by
-
         return Q._of(sorted_by(self._source(kind), body))
 
     def map_by(self, body: Callable[[T], K], kind: AnyKind | None = None) -> Map[K, Q[T]]:

@@ -26,7 +26,7 @@ from robosmi.metamodels import migration, trace
 from robosmi.model.elements.strict import Element
 from robosmi.query import Q
 from robosmi.recommend.history import History, HistoryEntry
-from robosmi.report.notebook import Findings
+from robosmi.report.notebook import Findings, findings_html, quoted
 from robosmi.transformations.chains.stages.completion import Completed, completion_chain
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
 from robosmi.transformations.chains.stages.written_output import checked, chosen_by_persons, commit, refuse_others, shown_changes
@@ -108,7 +108,6 @@ class Generated(Struct):
 
     def _repr_html_(self) -> str:
         from robosmi.model.elements.show import element_html  # for notebooks only
-        from robosmi.report.notebook import findings_html, quoted
 
         made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
         done = "made" if self.written else "to generate"

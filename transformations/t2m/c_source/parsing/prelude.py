@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
-from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
+from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token, tokens as tokenise
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
 
@@ -247,8 +247,6 @@ class _Uses:
                 bodies.append(text)
             elif kind != "comment":
                 plain.append((kind, text))
-        from robosmi.transformations.knowledge.lexer import tokens as tokenise
-
         for body in bodies:
             if _DEFINE.match(body):
                 inner = tokenise(body[1:].encode("latin-1"))[1:]
