@@ -1,8 +1,7 @@
 """Assembles the migration plan, the hub of the method, from partition, connections, port bindings and library choices.
 
 Each decision is made by a module of its own; here they get a common trace and become one model. The digests of the inputs are
-recorded, so that a stored plan can tell whether it still belongs to its sources. An open choice of a library is closed if it
-would change nothing, because the adapters handle the component without a library.
+recorded, so that a stored plan can tell whether it still belongs to its sources.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from robosmi.recommend.ranking import Choices as EarlierChoices, Ranker
 from robosmi.transform import Trace
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_repository
 from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice, settle_libraries
-from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY, LibraryModels, choose_libraries
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels, choose_libraries, close_idle_choices
 from robosmi.transformations.m2m.choices.plan_checks import plan_checks
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
@@ -29,7 +28,6 @@ from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, p
 from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
-from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 from robosmi.transformations.queries.plans.retained_pins import move_facts, retained_pins, retains_platform
 from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import SourceText, words_of
@@ -253,39 +251,3 @@ def complete(plan: migration.MigrationPlan, findings: list[Finding], paths: Mapp
 
 def _is_source(path: str, program: ccode.Program) -> bool:
     return any(unit.path == path for unit in program.units)
-
-
-_READY = (migration.AdapterStatus.filled, migration.AdapterStatus.care)
-
-
-def close_idle_choices(plan: migration.MigrationPlan) -> None:
-    """Choose no library for a component if all calls at its ports have adapters with bodies, and none of these uses a
-    candidate.
-    """
-    uses = {str(use.name): use for use in plan.adapterUses}
-    for choice in plan.libraryChoices:
-        if not choice.open or choice.component is None:
-            continue
-        calls = _calls(plan, choice.component)
-        told = [uses.get(str(call.calleeName)) for call in calls]
-        pieces = [use.adapter for use in told if use is not None and use.adapter is not None and use.status in _READY]
-        if not calls or len(pieces) < len(calls):
-            continue
-        names = {str(name) for piece in closure(pieces) for name in piece.libraries}
-        if names.isdisjoint(str(library.name) for library in choice.candidates):
-            functions = ", ".join(dict.fromkeys(str(call.calleeName) for call in calls))
-            choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
-            choice.evidence.append(f"the functions used here need none: {functions}")
-
-
-def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:
-    """The platform calls at the ports of a component; empty if one of these ports is open or has no known call."""
-    found: list[ccode.Call] = []
-    for binding in plan.portBindings:
-        connections = [each for each in (binding.connection, binding.answer) if each is not None]
-        if any(each.component is component for each in connections):
-            calls = port_calls(plan, binding)
-            if binding.open or not calls:
-                return []
-            found += calls
-    return found

@@ -1,8 +1,9 @@
 """Decides which library drives which component: the ranking as decisions of the plan (paper 3.3).
 
-A choice is made by a person (flag, project file), by history, or by the ranking if it is sure enough; else it stays open. Every
-component that a board pin reaches gets a decision with its candidates, the evidence and who chose. Libraries are ranked by
-`library_ranking`; the command line asks the person.
+A choice is made by a user (flag, project file), by history, or by the ranking if it is sure enough; else it stays open. Every
+component that a board pin reaches gets a decision with its candidates, the evidence and who chose. An open choice is closed if it
+would change nothing, because the adapters handle the component without a library. Libraries are ranked by `library_ranking`; the
+command line asks the user.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import placed
-from robosmi.metamodels import hardware, migration, platform
+from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import chosen_from_history
 from robosmi.recommend.index import LibraryIndex
@@ -25,6 +26,7 @@ from robosmi.transformations.knowledge.platforms.target_platform import TargetFa
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.queries.circuits.circuit import component_named
 from robosmi.transformations.queries.circuits.former_titles import former_title
+from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
 
 NO_LIBRARY = "none"
 """The choice that a component needs no library."""
@@ -236,3 +238,39 @@ def _options(recommendation: Recommendation) -> list[migration.Option]:
     return [
         migration.Option(label=c.library, score=round(c.score, 6), reasons=list(c.reasons)) for c in recommendation.candidates
     ]
+
+
+_READY = (migration.AdapterStatus.filled, migration.AdapterStatus.care)
+
+
+def close_idle_choices(plan: migration.MigrationPlan) -> None:
+    """Choose no library for a component if all calls at its ports have adapters with bodies, and none of these uses a
+    candidate.
+    """
+    uses = {str(use.name): use for use in plan.adapterUses}
+    for choice in plan.libraryChoices:
+        if not choice.open or choice.component is None:
+            continue
+        calls = _calls(plan, choice.component)
+        told = [uses.get(str(call.calleeName)) for call in calls]
+        pieces = [use.adapter for use in told if use is not None and use.adapter is not None and use.status in _READY]
+        if not calls or len(pieces) < len(calls):
+            continue
+        names = {str(name) for piece in closure(pieces) for name in piece.libraries}
+        if names.isdisjoint(str(library.name) for library in choice.candidates):
+            functions = ", ".join(dict.fromkeys(str(call.calleeName) for call in calls))
+            choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
+            choice.evidence.append(f"the functions used here need none: {functions}")
+
+
+def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:
+    """The platform calls at the ports of a component; empty if one of these ports is open or has no known call."""
+    found: list[ccode.Call] = []
+    for binding in plan.portBindings:
+        connections = [each for each in (binding.connection, binding.answer) if each is not None]
+        if any(each.component is component for each in connections):
+            calls = port_calls(plan, binding)
+            if binding.open or not calls:
+                return []
+            found += calls
+    return found

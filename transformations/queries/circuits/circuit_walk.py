@@ -1,18 +1,22 @@
 """How signals run through a circuit: from nets across passive parts to components, behind a driver, from the pins of a board.
 
 Rules, constraints and pictures use this; pins are mapped to components elsewhere (`m2m/circuits/connector_mapping`).
+
+A pin on a supply net may be there because a component joins it by its own contact, such as a button wired across one contact.
+`tied_inside` finds that component by the wires as they are drawn; a drawing whose wires are not known gives no answer.
 """
 
 from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 from msgspec import Struct
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.described_circuit import is_either_side, joins_by_bus_only
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 Role = hardware.Role
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
@@ -134,3 +138,55 @@ def natural_key(text: str) -> tuple[tuple[int, str], ...]:
     """A sort key by which connector2 comes before connector10."""
     pieces = re.split(r"([0-9]{1,18})", text)  # int() refuses very long numbers
     return tuple((int(piece), "") if piece[0] in "0123456789" else (-1, piece) for piece in pieces if piece)
+
+
+# ---- short circuits inside a component
+
+
+def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[hardware.Component, list[str]] | None:
+    """The component whose own contact ties pins to the supply of their net, with the connectors that the contact joins.
+
+    Args:
+        pins: the connectors of a board's pin in that net.
+        net: a rail.
+
+    Returns:
+        The component, or None: without any component's contact, the wires still lead to the supply, or they are not known.
+    """
+    switches = {
+        component: [[c for c in bus.connectors if c.net is net] for bus in component.buses]
+        for component in dict.fromkeys(c.component for c in net.connectors if c.component is not None)
+        if component.role is hardware.Role.Input and component.buses
+    }
+    wires = [wire for wire in _wires(net) if len(wire.ends) > 1]
+    for component, buses in switches.items():
+        joined = next(([displayed_name(c) or c.connectorId for c in bus] for bus in buses if len(_wired(bus, wires)) > 1), None)
+        if joined is not None and not _leads_to_supply(pins, net, wires, component):
+            return component, joined
+    return None
+
+
+def _wires(net: hardware.Net) -> list[hardware.Wire]:
+    return [wire for wire in net.circuit.wires if wire.net is net] if net.circuit is not None else []
+
+
+def _wired(bus: Sequence[hardware.Connector], wires: Sequence[hardware.Wire]) -> list[hardware.Connector]:
+    return [c for c in bus if any(c in wire.ends for wire in wires)]
+
+
+def _leads_to_supply(
+    pins: Sequence[hardware.Connector], net: hardware.Net, wires: Sequence[hardware.Wire], without: hardware.Component
+) -> bool:
+    """Whether the wires lead from the pins to a supply, or to a terminal of one, without what a component joins inside."""
+    import networkx as nx  # 0.2 s, and few drawings want it
+
+    graph: nx.Graph[hardware.Connector] = nx.Graph()
+    graph.add_nodes_from(net.connectors)
+    for wire in wires:
+        nx.add_path(graph, wire.ends)
+    for component in {c.component for c in net.connectors if c.component is not None and c.component is not without}:
+        for bus in component.buses:
+            nx.add_path(graph, [c for c in bus.connectors if c.net is net])
+    reached = set().union(*(nx.node_connected_component(graph, pin) for pin in pins if pin in graph))
+    powered = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
+    return any(c.kind in powered or (c.component is not None and c.component.role is hardware.Role.Power) for c in reached)
