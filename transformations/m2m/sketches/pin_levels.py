@@ -35,14 +35,14 @@ class _Event(Struct, frozen=True):
         view: its unit.
         call: the call.
         told: what the call sets: a mode, `HIGH`, `LOW`, or nothing where only the running program knows.
-        pin: the text of the pin.
+        pin: the text of the pin, and of local names the function.
         numbers: the numbers that it may be; None where only the running program knows.
     """
 
     view: CodeView
     call: ccode.Call
     told: str
-    pin: str
+    pin: tuple[str, int]
     numbers: frozenset[int] | None
 
     @property
@@ -84,7 +84,7 @@ def pin_levels(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             if one.told == "HIGH" or (one.told == "LOW" and any(e.writes and e.is_of(one) and e.told == "HIGH" for e in before)):
                 yield _as_mode(one)
             elif not one.told:
-                yield sketch.place(_KIND, one.call, one.pin)
+                yield sketch.place(_KIND, one.call, one.pin[0])
         elif one.told == "OUTPUT" and not any(each.drives and each.may_be(one) for each in before):
             level = next((each for each in reversed(before) if each.writes and each.is_of(one)), None)
             if level is not None and level.told == "HIGH":
@@ -93,7 +93,7 @@ def pin_levels(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
 
 def _as_mode(write: _Event) -> SketchEdit:
     """The edit of a level of an input: the mode that means the same."""
-    call, (first, second) = write.call, write.call.arguments
+    call, second = write.call, write.call.arguments[1]
     mode = "INPUT_PULLUP" if write.told == "HIGH" else "INPUT"
     start = int(call.startOffset)
     changes = (
@@ -105,7 +105,7 @@ def _as_mode(write: _Event) -> SketchEdit:
 
 def _with_level(mode: _Event) -> SketchEdit:
     """The edit of a call that makes an output of a pin, which gets its level again."""
-    call, (first, _) = mode.call, mode.call.arguments
+    call, first = mode.call, mode.call.arguments[0]
     start = int(call.startOffset)
     changes = (
         Replacement(start, start + len("pinMode"), "[](int pin) { pinMode(pin, OUTPUT); digitalWrite(pin, HIGH); }"),
@@ -162,7 +162,21 @@ def _event(view: CodeView, call: ccode.Call) -> _Event | None:
         levels = {"1": "HIGH", "true": "HIGH", "0": "LOW", "false": "LOW"} if name == "digitalWrite" else {}
         told = levels.get(text, text)
         told = told if told in (_MODES if name == "pinMode" else ("HIGH", "LOW")) else ""
-    return _Event(view, call, told, expression_text(given), known if known and None not in numbers else None)
+    return _Event(view, call, told, _named(given), known if known and None not in numbers else None)
+
+
+def _named(given: ccode.Expression) -> tuple[str, int]:
+    """The text of a pin; with its function where it has local names, which mean something else in another one."""
+    names = [each.target for each in (given, *all_contents(given)) if isinstance(each, ccode.NameReference)]
+    local = any(
+        isinstance(target, ccode.Parameter)
+        or (isinstance(target, ccode.Variable) and not isinstance(target.eContainer(), ccode.SourceUnit))
+        for target in names
+    )
+    holder = given.eContainer()
+    while holder is not None and not isinstance(holder, (ccode.Function, ccode.Lambda)):
+        holder = holder.eContainer()
+    return expression_text(given), id(holder) if local else 0
 
 
 def _given_elsewhere(sketch: MovedSketch) -> frozenset[int]:

@@ -22,6 +22,7 @@ from robosmi.transformations.m2m.sketches.usb_console import usb_console
 
 RULES: tuple[SketchRule, ...] = (
     clashing_names, timer_ticks, register_idioms, sleep_modes, avr_calls, object_bytes, int_widths, char_signs, servo_limits,
-    flash_eeprom, flash_reads, pin_levels, usb_console, analogue, missing_returns, argument_values, foreign_libraries, absent_names,
+    flash_eeprom, flash_reads, pin_levels, usb_console, analogue, missing_returns, argument_values, foreign_libraries,
+    absent_names,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

@@ -49,11 +49,13 @@ def as_characters(holder: ccode.Declaration) -> Iterator[ccode.Expression]:
     """The uses that take another overload for a type that is not plain char: those that print it, or add it to a text."""
     for use in _uses(holder):
         outer = use.eContainer()
-        if isinstance(outer, ccode.ConstructorCall) or (isinstance(outer, ccode.Call) and str(outer.calleeName) in _PRINTS):
+        if isinstance(outer, (ccode.Binary, ccode.Assignment)):
+            taken = _is_text(outer.right if outer.left is use else outer.left)
+        else:
+            printed = isinstance(outer, ccode.Call) and str(outer.calleeName) in _PRINTS
+            taken = printed or isinstance(outer, ccode.ConstructorCall)
+        if taken:
             yield use
-        elif isinstance(outer, (ccode.Binary, ccode.Assignment)) and outer.operator in ("+", "+=", "="):
-            if _is_text(outer.right if outer.left is use else outer.left):
-                yield use
 
 
 def _is_text(expression: ccode.Expression | None) -> bool:

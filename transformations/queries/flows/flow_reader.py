@@ -21,7 +21,7 @@ from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import pin_number
-from robosmi.transformations.queries.flows.pointed_calls import called_lambdas, named_lambda
+from robosmi.transformations.queries.flows.pointed_calls import called_lambdas
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
     moved_pointer,
@@ -34,6 +34,7 @@ from robosmi.transformations.queries.initialisers import leaves, members_given, 
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.own_headers import is_member
+from robosmi.transformations.queries.values import calls_of_value
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -312,7 +313,7 @@ class FlowReader:
                 self._unseen_calls(element)
                 self._defaults(element)
             elif isinstance(element, ccode.Lambda):
-                known = named_lambda(element.eContainer()) is element
+                known = calls_of_value(element) is not None
                 for parameter in element.parameters:
                     if not known:
                         self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
@@ -499,7 +500,13 @@ class FlowReader:
         if call.viaMacro:
             return
         arguments = list(call.arguments)
-        if own := self.called(call) or called_lambdas(call):
+        lambdas, alone = called_lambdas(call)
+        for made in lambdas:
+            for parameter, argument in zip(made.parameters, arguments, strict=False):
+                self._give(self.key(parameter), argument)
+        if alone:
+            return
+        if own := self.called(call):
             for function in own:
                 for parameter, argument in zip(function.parameters, arguments, strict=False):
                     self._give(self.key(parameter), argument)
