@@ -368,7 +368,8 @@ def test_a_lambda_that_is_handed_to_a_function_is_followed_to_its_calls(tmp_path
     assert outcome.code == 0
     assert {"RS326", "RS327"} & outcome.rules() == {"RS326"}
     made = text(tmp_path, "handed/handed.ino")
-    assert "on([](int p) { pinMode(p, OUTPUT); }, 2);" in made
+    assert "pinMode(port(p), OUTPUT)" in made
+    assert re.search(r" 2, +// 6:", text(tmp_path, "handed/moved_pins.h"))
     assert "int16_t wide" in made
 
 
