@@ -313,9 +313,8 @@ class FlowReader:
                 self._unseen_calls(element)
                 self._defaults(element)
             elif isinstance(element, ccode.Lambda):
-                known = calls_of_value(element) is not None
                 for parameter in element.parameters:
-                    if not known:
+                    if calls_of_value(element) is None:
                         self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
                     elif parameter.defaultValue is not None:
                         self._give(self.key(parameter), parameter.defaultValue)
@@ -501,15 +500,10 @@ class FlowReader:
             return
         arguments = list(call.arguments)
         lambdas, alone = called_lambdas(call)
-        for made in lambdas:
-            for parameter, argument in zip(made.parameters, arguments, strict=False):
+        for function in (*lambdas, *(own := [] if alone else self.called(call))):
+            for parameter, argument in zip(function.parameters, arguments, strict=False):
                 self._give(self.key(parameter), argument)
-        if alone:
-            return
-        if own := self.called(call):
-            for function in own:
-                for parameter, argument in zip(function.parameters, arguments, strict=False):
-                    self._give(self.key(parameter), argument)
+        if alone or own:
             return
         if (method := method_pins(self.classes, call, view)) is not None:
             for pin in method[1]:

@@ -378,3 +378,8 @@ def test_all_pins_that_the_board_does_not_have_are_told_at_once(tmp_path: Path) 
     assert outcome.code == 2
     assert "'GP99'" in outcome.err
     assert "'X1'" in outcome.err
+
+
+def test_the_address_of_an_object_is_no_pin(tmp_path: Path) -> None:
+    assert migrated("wire_object", tmp_path).code in (0, 1)
+    assert "display(128, 64, &Wire, -1)" in text(tmp_path, "wire_object/wire_object.ino")
