@@ -28,6 +28,7 @@ from robosmi.transformations.queries.flows.cores import Cores
 from robosmi.transformations.queries.numbers import Machine, Numbers
 from robosmi.transformations.queries.plans.plan import preserves_main
 from robosmi.transformations.queries.plans.plan_adapters import emitted
+from robosmi.transformations.queries.plans.waiting_calls import ports_of_runs_bound
 from robosmi.transformations.queries.ports.port_masks import PortMasks
 from robosmi.transformations.queries.programs.unprototyped_functions import UnprototypedPointers, unprototyped_pointers
 from robosmi.transformations.queries.resources.cooperation import giving_way
@@ -42,6 +43,8 @@ if TYPE_CHECKING:
 moved = EVL()
 """The constraints on a program that is moved; evaluate them on its plan and its model."""
 
+PORTS_OF_RUNS = "RS327"
+"""The rule of ports that only the running program knows."""
 MANY = 5
 """Up to this number the findings of a rule in a file are listed one by one; more are merged into one."""
 PLACES = "places"
@@ -298,7 +301,7 @@ def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> li
     for (path, _), same in files.items():
         same.sort(key=lambda u: int(u.element.startOffset) if isinstance(u.element, ccode.Located) else 0)
         for some in [same] if len(same) > MANY else [[u] for u in same]:
-            found.append(_finding(path, some))
+            found.append(_finding(path, some, plan))
     return sorted(found, key=lambda f: (f.path, f.line, f.column, f.rule))
 
 
@@ -306,8 +309,20 @@ def _elements(kept: ItemOrItems) -> list[Element]:
     return [e for e in (kept if isinstance(kept, Sequence) else (kept,)) if isinstance(e, Element)]
 
 
-def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
+def severity_by(plan: migration.MigrationPlan, rule: str) -> migration.SeverityLevel | None:
+    """The severity that what a person decided gives a rule; None for a rule that has its own.
+
+    Which ports a running program uses only a person knows: once one is bound, RS327 is no question any more, but the calls with
+    all other numbers still do nothing.
+    """
+    if rule != PORTS_OF_RUNS:
+        return None
+    return migration.SeverityLevel.info if ports_of_runs_bound(plan) else migration.SeverityLevel.warning
+
+
+def _finding(path: str, same: Sequence[Unsatisfied], plan: migration.MigrationPlan) -> migration.PlanFinding:
     first = same[0]
+    rule = str(first.constraint.id)
     elements = [e for u in same for e in _elements(u.extras.get(PLACES, u.element))]
     if len(same) == 1 and FLOW in first.extras:
         elements = _elements(first.extras[FLOW])
@@ -317,7 +332,8 @@ def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
         places = in_lines(u.element for u in same if isinstance(u.element, ccode.Located))
         message += f"; and {len(same) - 1} more of this kind in the file ({places})"
     return migration.PlanFinding(
-        rule=first.constraint.id, severity=enum_literal(migration.SeverityLevel, first.severity.name), message=message, path=path,
+        rule=rule, severity=severity_by(plan, rule) or enum_literal(migration.SeverityLevel, first.severity.name),
+        message=message, path=path,
         fix=first.advice or "", line=located.line if located is not None else 0,
         column=located.column if located is not None else 0, elements=elements,
     )  # fmt: skip

@@ -15,7 +15,7 @@ from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_use
 from robosmi.transformations.queries.flows.pointed_calls import called_name
 from robosmi.transformations.queries.flows.pointers import pointed_functions
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
-from robosmi.transformations.queries.plans.waiting_calls import lacks_pin, ports_of_runs_bound
+from robosmi.transformations.queries.plans.waiting_calls import lacks_pin
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.register_bits import register_bits
 from robosmi.validate import Fail
@@ -65,9 +65,7 @@ def _bind_each(u: ccode.SourceUnit) -> str:
     advice=_bind_each,
 )  # fmt: skip
 def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
-    """The ports passed to a function or register are known statically, or a person has bound those computed at run time."""
-    if ports_of_runs_bound(the_move().plan):
-        return True
+    """The ports passed to a function or register are known statically; it is info once one is bound (`severity_by`)."""
     found = list(_unknown(u))
     names = ", ".join(dict.fromkeys(name for name, _ in found))
     places = [element for _, element in found]

@@ -310,13 +310,42 @@ def _start(loop: ccode.For, variable: ccode.Variable) -> ccode.Expression | None
 
 
 def passed_arguments(parameter: ccode.Parameter) -> list[ccode.Expression]:
-    """The arguments that callers pass for a parameter, in text order."""
+    """The arguments that callers pass for a parameter, in text order; none for a lambda that others may call, too."""
     function = parameter.eContainer()
-    if not isinstance(function, ccode.Function):
+    if not isinstance(function, (ccode.Function, ccode.Lambda)):
         return []
     position = list(function.parameters).index(parameter)
-    calls = sorted(function.calls, key=lambda c: int(c.startOffset))
+    called = function.calls if isinstance(function, ccode.Function) else calls_of_value(function) or ()
+    calls = sorted(called, key=lambda c: int(c.startOffset))
     return [list(c.arguments)[position] for c in calls if position < len(c.arguments)]
+
+
+def calls_of_value(value: ccode.Lambda | ccode.NameReference) -> list[ccode.Call] | None:
+    """The calls of a lambda, or of a function that is used as a value, where the text shows all of them.
+
+    Args:
+        value: a lambda, or the name of a function that is not called there.
+
+    Returns:
+        The calls through the variable that has it, or through the parameter that it is handed to; None if others may call it.
+    """
+    at: Element = value
+    outer = at.eContainer()
+    while isinstance(outer, ccode.Member) or (isinstance(outer, ccode.Unary) and outer.operator == "&"):
+        at, outer = outer, outer.eContainer()  # its conversion to a pointer
+    holder: Element | None = outer if isinstance(outer, ccode.Variable) else None
+    if isinstance(outer, ccode.Call):
+        if outer.calleeExpression is at:
+            return [outer]
+        place = next((number for number, given in enumerate(outer.arguments) if given is at), None)
+        callee = outer.callee
+        if place is not None and callee is not None and callee.definition and place < len(callee.parameters):
+            holder = callee.parameters[place]
+    if not isinstance(holder, (ccode.Variable, ccode.Parameter)):
+        return None
+    uses = [(each, each.eContainer()) for each in holder.references]
+    calls = [use for each, use in uses if isinstance(use, ccode.Call) and use.calleeExpression is each]
+    return calls if len(calls) == len(uses) else None
 
 
 def passed_arrays(parameter: ccode.Parameter) -> list[ccode.Expression]:

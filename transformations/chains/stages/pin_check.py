@@ -51,11 +51,21 @@ def pin_findings(
     """
     names = pin_names(plan)
     checked = follow_pins(program, names)
+    renamed = {
+        (str(change.unit.path), int(change.startOffset)): str(change.replacement)
+        for change in (all_changes(plan) if retains_platform(plan) else ())
+        if change.unit is not None and str(change.replacement).isidentifier()
+    }
+
+    def called_there(call: ccode.Call) -> str:
+        """What a call calls in the finished program: a rule may write another function."""
+        return renamed.get((_path(call), int(call.startOffset)), str(call.calleeName))
+
     dropped = _dropped(plan)
     taken: Iterable[tuple[str, Sequence[ccode.Call]]] = (
         ((str(use.targetName or use.name), use.calls) for use in plan.adapterUses)
         if not retains_platform(plan)
-        else ((str(call.calleeName), [call]) for call in _calls_of_flows(plan))
+        else ((called_there(call), [call]) for call in _calls_of_flows(plan))
     )
     calls: dict[str, list[ccode.Call]] = {}
     for name, made_there in taken:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from robosmi.metamodels import migration
 from robosmi.model import EmfModel
+from robosmi.transformations.constraints.code_move import severity_by
 from robosmi.transformations.constraints.electrical_plan import plan_faults, plan_rules
 from robosmi.transformations.constraints.plan_ports import by_words, port_faults, ports
 from robosmi.transformations.m2m.plan_tasks import plan_findings
-from robosmi.transformations.queries.plans.waiting_calls import ports_of_runs_bound
 
 
 def refresh_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
@@ -24,10 +24,12 @@ def refresh_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
     rules = plan_rules() | {
         constraint.id for module in ((ports, by_words) if words else (ports,)) for constraint in module.declared()
     }
-    unbound = ports_of_runs_bound(plan)
     there = [(finding, str(finding.rule)) for finding in plan.findings]
-    obsolete = [finding for finding, rule in there if rule in rules or (unbound and rule == "RS327")]
-    kept = [rule in rules for finding, rule in there if not (unbound and rule == "RS327")]
+    for finding, rule in there:
+        if (weight := severity_by(plan, rule)) is not None:
+            finding.severity = weight
+    obsolete = [finding for finding, rule in there if rule in rules]
+    kept = [rule in rules for _, rule in there]
     at = kept.index(True) if True in kept else len(kept)
     stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
     model = EmfModel(plan, name="plan")

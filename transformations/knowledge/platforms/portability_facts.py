@@ -78,6 +78,7 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
         read_bits: the call by which analogRead gets the full scale of the source boards.
         pwm_frequency: the call by which analogWrite gets a frequency; {hz} is filled in.
         pwm_clocks: timer of a source board -> clocks of a period of its PWM; `*` stands for all others.
+        modes_clear_levels: whether pinMode starts a pin anew, so that a level that was written before is lost.
         supply_volts: the full scale of the converter, where it is not that of the source boards.
     """
 
@@ -102,6 +103,7 @@ class MoveFacts(Struct, frozen=True, forbid_unknown_fields=True):
     read_bits: str = ""
     pwm_frequency: str = ""
     pwm_clocks: Mapping[str, int] = {}
+    modes_clear_levels: bool = False
     supply_volts: float = 0
 
 

@@ -102,11 +102,19 @@ def bind_ports(
     for layer in said:
         pins.update(_layer(layer, ports, found, api))
     bindings = [_binding(port, source) for port in ports]
+    wrong: list[UsageError] = []
     for port, binding in zip(ports, bindings, strict=True):
         if port.name in pins:
-            with placed(pins[port.name].place):
-                _take(binding, pins[port.name].name, connections, board)
+            try:
+                with placed(pins[port.name].place):
+                    _take(binding, pins[port.name].name, connections, board)
+            except UsageError as error:
+                wrong.append(error)
+                continue
             explain(binding, (stored or {}).get(port.name))
+    if wrong:
+        told = "; ".join(dict.fromkeys(error.message for error in wrong))
+        raise UsageError(told, location=wrong[0].location, fix=wrong[0].fix)
     for port, binding in zip(ports, bindings, strict=True):
         if binding.open:
             _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})

@@ -256,6 +256,10 @@ def replacement(binding: migration.PortBinding, original: bytes, kept: RetainedP
 
 def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
     """Whether an argument's source number has to be translated to a target pin; constants that are all negative are no pins."""
+    given = argument.argument
+    named = given.operand if isinstance(given, ccode.Unary) and given.operator == "&" else None
+    if isinstance(named, ccode.NameReference) and not isinstance(named.target, (ccode.Variable, ccode.Parameter)):
+        return False  # an object of the platform, such as &Wire
     numbers = [value.number for value in known]
     return argument.translated and not (numbers and all(n is not None and n < 0 for n in numbers))
 

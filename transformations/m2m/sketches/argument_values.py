@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.platforms.platform_model import split_parameters
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
@@ -19,8 +20,11 @@ from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.pin_origins import PinOrigins
+from robosmi.transformations.queries.signature_text import parameter_type
 
 _RULE = "argument-value"
+_BY_VALUE = frozenset(["analogWrite", "attachInterrupt"])
+"""Functions whose arguments have rules of their own."""
 _OVERLOADED = frozenset(["print", "println"])
 
 
@@ -117,15 +121,21 @@ def stored_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[Sketch
 def taken_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:
     """The edits of arguments that functions of the platform take in 16 bits on the source board; values of no pulse width."""
     bits = values.here.int_bits
-    number = values.here.number("unsigned int")
     for view in sketch.views:
-        for call in _called(view, "delayMicroseconds"):
-            given = call.arguments[0] if call.arguments and not _owner(call) else None
-            if given is None or number is None or not values.cuts(given, number):
-                continue
-            reason = f"'{call.calleeName}' takes {bits} bits on its own board"
-            start, end = int(given.startOffset), int(given.endOffset)
-            yield SketchEdit(given, _RULE, reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
+        for called in view.called().values():
+            entry = called.entry
+            taken = split_parameters(entry.parameters) if entry is not None and entry.kind == "function" else []
+            numbers = [values.here.number(parameter_type(each)) for each in taken]
+            for call in called.calls if called.name not in _BY_VALUE else ():
+                if call.viaMacro or isinstance(call.calleeExpression, ccode.Member):
+                    continue
+                for given, number in zip(call.arguments, numbers, strict=False):
+                    if number is None or number.real or number.fixed or number.bits != bits or not values.cuts(given, number):
+                        continue
+                    reason = f"'{call.calleeName}' takes {bits} bits on its own board"
+                    start, end = int(given.startOffset), int(given.endOffset)
+                    cut = f"({'' if number.signed else 'u'}int{bits}_t)("
+                    yield SketchEdit(given, _RULE, reason, (inserted(start, cut), inserted(end, ")")))
         for call in _called(view, "analogWrite"):
             given = call.arguments[1] if len(call.arguments) > 1 else None
             found = values.range_of(given)

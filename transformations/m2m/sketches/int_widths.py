@@ -21,7 +21,7 @@ from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declara
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.declared_uses import Declared
-from robosmi.transformations.queries.constants.negative_chars import negative_chars
+from robosmi.transformations.queries.constants.negative_chars import as_characters, negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine
@@ -157,11 +157,18 @@ def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
         return
     yield from _char_casts(sketch)
     done = set[tuple[str, int]]()
+    cast = set[int]()
+    view_of = {id(view.unit): view for view in sketch.views}
     for holder in negative_chars(sketch.views, returned_values(sketch.views[0].api.name)):
         group = declarations(sketch.views, holder)
         if not all(is_free(each) for each in group):
             yield sketch.place(KEPT_CHAR, holder, str(holder.name))
             continue
+        for use in (use for each in group for use in as_characters(each)):
+            start = int(use.startOffset)
+            if start not in cast and is_written(view_of[id(unit_of(use))], use):
+                cast.add(start)
+                yield SketchEdit(use, "char-sign", "it is a character here, and no number", (inserted(start, "(char)"),))
         for each in group:
             data, start = _source(sketch, each)
             found = _TYPE.match(data, start)
@@ -226,5 +233,12 @@ def is_free(holder: ccode.Declaration) -> bool:
 def is_written(view: CodeView, expression: ccode.Expression) -> bool:
     """Whether an expression stands in the text as it is, and not in the body or an argument of a macro."""
     start, end = int(expression.startOffset), int(expression.endOffset)
-    around = (use for use in view.unit.macroUses if int(use.startOffset) <= start and end <= int(use.endOffset))
+    named = isinstance(expression, ccode.NameReference)
+    around = (
+        use
+        for use in view.unit.macroUses
+        if int(use.startOffset) <= start
+        and end <= int(use.endOffset)
+        and not (named and (start, end) == (int(use.startOffset), int(use.endOffset)))
+    )
     return start < end and not any(True for _ in around)

@@ -13,6 +13,7 @@ from robosmi.transformations.m2m.sketches.foreign_libraries import foreign_libra
 from robosmi.transformations.m2m.sketches.int_widths import char_signs, int_widths
 from robosmi.transformations.m2m.sketches.missing_returns import missing_returns
 from robosmi.transformations.m2m.sketches.object_bytes import object_bytes
+from robosmi.transformations.m2m.sketches.pin_levels import pin_levels
 from robosmi.transformations.m2m.sketches.register_idioms import register_idioms
 from robosmi.transformations.m2m.sketches.servo_limits import servo_limits
 from robosmi.transformations.m2m.sketches.sketch_edits import SketchRule
@@ -21,6 +22,7 @@ from robosmi.transformations.m2m.sketches.usb_console import usb_console
 
 RULES: tuple[SketchRule, ...] = (
     clashing_names, timer_ticks, register_idioms, sleep_modes, avr_calls, object_bytes, int_widths, char_signs, servo_limits,
-    flash_eeprom, flash_reads, usb_console, analogue, missing_returns, argument_values, foreign_libraries, absent_names,
+    flash_eeprom, flash_reads, pin_levels, usb_console, analogue, missing_returns, argument_values, foreign_libraries,
+    absent_names,
 )  # fmt: skip
 """All rules. Where edits of two of them overlap, that of the earlier one counts."""

@@ -17,7 +17,7 @@ from robosmi.transformations.queries.constants.declared_uses import DeclaredUses
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
-from robosmi.transformations.queries.values import Values, passed_arguments
+from robosmi.transformations.queries.values import Values, calls_of_value, passed_arguments
 
 MAX_DEPTH = 40
 """Depth of names and operators to which the values of an expression are followed."""
@@ -160,9 +160,8 @@ class Ranges:
             return Range(number.least, number.most)
         found: list[Range | None] = []
         if isinstance(variable, ccode.Parameter):
-            arguments, function = passed_arguments(variable), variable.eContainer()
-            known = isinstance(function, ccode.Function) and len(arguments) == len(function.calls) and not function.references
-            if not arguments or not known:
+            arguments = _all_arguments(variable)
+            if not arguments:
                 return None
             found += [self.of(a) for a in arguments]
         elif variable.initializer is not None:
@@ -269,6 +268,20 @@ class Ranges:
             elif isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&"):
                 return None
         return _union([*elements, Range(0, 0)]) if elements and None not in elements else None
+
+
+def _all_arguments(parameter: ccode.Parameter) -> list[ccode.Expression]:
+    """The arguments that all callers pass for a parameter, through pointers, too; none where somebody unknown may call."""
+    function = parameter.eContainer()
+    if isinstance(function, ccode.Lambda):
+        return passed_arguments(parameter)
+    if not isinstance(function, ccode.Function):
+        return []
+    pointed = [calls_of_value(reference) for reference in function.references]
+    calls = [*function.calls, *(call for some in pointed for call in some or ())]
+    position = list(function.parameters).index(parameter)
+    found = [call.arguments[position] for call in calls if position < len(call.arguments)]
+    return found if None not in pointed and len(found) == len(calls) else []
 
 
 def _mask(left: Range | None, right: Range | None) -> int | None:

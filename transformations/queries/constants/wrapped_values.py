@@ -252,7 +252,7 @@ class WrappedValues:
     def exceeding(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
         """The expressions of a unit that wrap on the source where their value is looked at, with their types there."""
         for expression in view.elements:
-            if not isinstance(expression, (ccode.Binary, ccode.Unary, ccode.Cast)):
+            if not isinstance(expression, (ccode.Binary, ccode.Unary, ccode.Cast)) and not self._is_macro(expression):
                 continue
             number = self.number(expression)
             if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
@@ -268,6 +268,8 @@ class WrappedValues:
             operands = [expression.operand]
         elif isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
             operands = [expression.left] if expression.operator == "<<" else [expression.left, expression.right]
+        elif self._is_macro(expression):
+            operands = []
         else:
             return False
         found = self._ranges.of(expression)
@@ -279,11 +281,16 @@ class WrappedValues:
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
         )
 
+    @staticmethod
+    def _is_macro(expression: Element | None) -> bool:
+        """Whether an expression is the name of a macro, whose body may calculate beyond its type."""
+        return isinstance(expression, ccode.NameReference) and expression.target is None
+
     def _cut_off(self, cast: ccode.Cast, number: Number) -> bool:
         """Whether a cast to int cuts a wider value that is not known to fit, or a written number that does not."""
         inner, found = self.number(cast.operand), self._ranges.of(cast.operand)
         literal = cast.operand.operand if isinstance(cast.operand, ccode.Unary) else cast.operand
-        written = isinstance(literal, ccode.IntegerLiteral)
+        written = isinstance(literal, ccode.IntegerLiteral) or self._is_macro(literal)
         wider = inner is not None and not inner.real and (inner.bits > number.bits or written)
         return wider and (found is None or not found.within(number.least, number.most))
 

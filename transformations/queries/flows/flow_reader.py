@@ -22,7 +22,7 @@ from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import pin_number
-from robosmi.transformations.queries.flows.pointed_calls import called_lambdas, named_lambda
+from robosmi.transformations.queries.flows.pointed_calls import called_lambdas
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
     moved_pointer,
@@ -35,6 +35,7 @@ from robosmi.transformations.queries.initialisers import leaves, members_given, 
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.own_headers import is_member
+from robosmi.transformations.queries.values import calls_of_value
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -313,9 +314,8 @@ class FlowReader:
                 self._unseen_calls(element)
                 self._defaults(element)
             elif isinstance(element, ccode.Lambda):
-                known = named_lambda(element.eContainer()) is element
                 for parameter in element.parameters:
-                    if not known:
+                    if calls_of_value(element) is None:
                         self.flows.freeze(self.key(parameter), f"a lambda is given it (line {element.line})", computed=True)
                     elif parameter.defaultValue is not None:
                         self._give(self.key(parameter), parameter.defaultValue)
@@ -500,10 +500,11 @@ class FlowReader:
         if call.viaMacro:
             return
         arguments = list(call.arguments)
-        if own := self.called(call) or called_lambdas(call):
-            for function in own:
-                for parameter, argument in zip(function.parameters, arguments, strict=False):
-                    self._give(self.key(parameter), argument)
+        lambdas, alone = called_lambdas(call)
+        for function in (*lambdas, *(own := [] if alone else self.called(call))):
+            for parameter, argument in zip(function.parameters, arguments, strict=False):
+                self._give(self.key(parameter), argument)
+        if alone or own:
             return
         if (method := method_pins(self.classes, call, view)) is not None:
             for pin in method[1]:

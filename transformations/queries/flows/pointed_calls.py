@@ -14,6 +14,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.initialisers import members_given, record_of
 from robosmi.transformations.queries.programs.live_code import identity
+from robosmi.transformations.queries.values import calls_of_value, passed_arguments
 
 
 def is_pointed(call: ccode.Call) -> bool:
@@ -148,17 +149,20 @@ def _member(member: ccode.Field) -> Hashable:
     return ("member", str(member.name))
 
 
-def named_lambda(holder: Element | None) -> ccode.Lambda | None:
-    """The lambda that a variable always holds, if the variable is only called, so that its callers are known."""
-    if not isinstance(holder, ccode.Variable) or not isinstance(holder.initializer, ccode.Lambda):
-        return None
-    uses = ((each, each.eContainer()) for each in holder.references)
-    called = all(isinstance(outer, ccode.Call) and outer.calleeExpression is each for each, outer in uses)
-    return holder.initializer if called else None
+def called_lambdas(call: ccode.Call) -> tuple[list[ccode.Lambda], bool]:
+    """The lambdas that a call may run and whose calls are all known, and whether it runs nothing else.
 
-
-def called_lambdas(call: ccode.Call) -> list[ccode.Lambda]:
-    """The lambda that a call runs, if the variable that is called always holds it."""
-    callee = call.calleeExpression
-    made = named_lambda(callee.target) if isinstance(callee, ccode.NameReference) else None
-    return [made] if made is not None else []
+    The variable or parameter that is called has them.
+    """
+    holder = _named(call.calleeExpression)
+    given: list[ccode.Expression | None] = []
+    if isinstance(holder, ccode.Variable):
+        given = [holder.initializer]
+    elif isinstance(holder, ccode.Parameter):
+        given = [*passed_arguments(holder)]
+    found = []
+    for each in given:
+        made = each.object if isinstance(each, ccode.Member) else each  # its conversion to a pointer
+        if isinstance(made, ccode.Lambda) and calls_of_value(made) is not None:
+            found.append(made)
+    return found, bool(found) and len(found) == len(given)

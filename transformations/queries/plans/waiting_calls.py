@@ -47,7 +47,7 @@ def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> t
 
 
 def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
-    """Whether a person has bound ports that only the running program knows, so that RS327 has nothing to ask."""
+    """Whether a person has bound ports that only the running program knows, so that RS327 asks nothing."""
     return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 

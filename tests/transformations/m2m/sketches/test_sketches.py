@@ -361,3 +361,25 @@ def test_all_names_that_are_no_ports_are_told_at_once(tmp_path: Path) -> None:
     assert finding["rule"] == "RS901"
     assert "'horn'" in finding["message"]
     assert "'bell'" in finding["message"]
+
+
+def test_a_lambda_that_is_handed_to_a_function_is_followed_to_its_calls(tmp_path: Path) -> None:
+    outcome = migrated("handed", tmp_path, "--bind=D6=GP2")
+    assert outcome.code == 0
+    assert {"RS326", "RS327"} & outcome.rules() == {"RS326"}
+    made = text(tmp_path, "handed/handed.ino")
+    assert "pinMode(port(p), OUTPUT)" in made
+    assert re.search(r" 2, +// 6:", text(tmp_path, "handed/moved_pins.h"))
+    assert "int16_t wide" in made
+
+
+def test_all_pins_that_the_board_does_not_have_are_told_at_once(tmp_path: Path) -> None:
+    outcome = migrated("handed", tmp_path, "--bind=D6=GP99", "--bind=D7=X1")
+    assert outcome.code == 2
+    assert "'GP99'" in outcome.err
+    assert "'X1'" in outcome.err
+
+
+def test_the_address_of_an_object_is_no_pin(tmp_path: Path) -> None:
+    assert migrated("wire_object", tmp_path).code in (0, 1)
+    assert "display(128, 64, &Wire, -1)" in text(tmp_path, "wire_object/wire_object.ino")

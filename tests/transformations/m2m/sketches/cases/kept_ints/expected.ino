@@ -10,5 +10,5 @@ void loop() {
   height += 500;
   turned += 90;
   flip(&side);
-  if (side < 0) tone(8, (int16_t)(height + turned));
+  if (side < 0) tone(8, (uint16_t)(height + turned));
 }

@@ -17,3 +17,4 @@ class HardwareSerial : public Stream {
   using Print::write;
 };
 void serialEventRun() __attribute__((weak));
+void serialEvent1Run() __attribute__((weak));  // there if the program uses one of the two lines

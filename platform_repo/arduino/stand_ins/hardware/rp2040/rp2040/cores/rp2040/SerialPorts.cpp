@@ -70,3 +70,11 @@ int SerialUART::availableForWrite() { return running && !(reg(base(line) + FLAGS
 void SerialUART::flush() {
   while (running && reg(base(line) + FLAGS) & BUSY) {}
 }
+
+void serialEvent1() __attribute__((weak));
+void serialEvent2() __attribute__((weak));
+
+void serialEvent1Run() {
+  if (serialEvent1 && Serial1.available()) serialEvent1();
+  if (serialEvent2 && Serial2.available()) serialEvent2();
+}

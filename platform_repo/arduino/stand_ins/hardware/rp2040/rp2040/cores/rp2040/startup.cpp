@@ -109,6 +109,7 @@ __attribute__((weak)) int main() {
   for (;;) {
     loop();
     if (serialEventRun) serialEventRun();
+    if (serialEvent1Run) serialEvent1Run();
     yield();
   }
 }

@@ -221,3 +221,9 @@ int SerialUSB::availableForWrite() { return sent.room(); }
 void SerialUSB::flush() {
   for (unsigned long begun = millis(); *this && (sent.count() || sending) && millis() - begun < 500;) {}
 }
+
+void serialEvent() __attribute__((weak));  // the sketch's, for text that has come
+
+void serialEventRun() {
+  if (serialEvent && Serial.available()) serialEvent();
+}
