@@ -13,7 +13,7 @@ import re
 import shutil
 import tempfile
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -31,8 +31,9 @@ from robosmi.transformations.verification.bound_devices.port_devices import Boun
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, looked_at_again
 from robosmi.transformations.verification.judgement.verdict import verdict_of
+from robosmi.transformations.verification.loop_pass import hangs_on_a_pass
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
-from robosmi.transformations.verification.target_side import TargetSide
+from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.faults.executed_lines import built_for_lines, lines_of, run_addresses
@@ -183,6 +184,9 @@ class Study:
                 self._more[scenario.name] = run_further(self._program, self.ports, whole, runs)
             return self._more[scenario.name]
 
+    def _hangs_on_a_pass(self, scenario: Scenario, runs: SourceRuns, differs_at: Callable[[SourceRuns], float | None]) -> bool:
+        return hangs_on_a_pass(self._program, self.ports, scenario, runs, LIMIT_S, differs_at)
+
     def _compared(self, side: TargetSide, early: bool) -> Outcome:
         doubt = ""
         inorder = sorted(self.cases, key=lambda case: -self._noticed[case[0].name])
@@ -197,7 +201,9 @@ class Study:
                     raise trace
                 one_thread, at_rest = self._models.plan.concurrency is None, resting_pins(self._models.plan)
                 result = verdict_of(asked, runs, trace, self.ports, one_thread, at_rest)
-                result = looked_at_again(result, asked, trace, self.ports, one_thread, runs, self._further, at_rest)
+                result = looked_at_again(
+                    result, asked, trace, self.ports, one_thread, runs, self._further, at_rest, self._hangs_on_a_pass
+                )
                 if result.first is not None:
                     first = result.first
                     functions = next((port.functions for port in self.ports if port.title == first.channel), ())

@@ -96,6 +96,16 @@ def test_headers_without_a_model_stand_in(tmp_path: Path) -> None:
     assert [level for _, level in found.trace.levels("P3")] == [1]
 
 
+@pytest.mark.parametrize("drives", ["", '#include "abdrive.h"\n'])
+def test_a_function_of_a_header_without_a_model_may_have_the_name_of_a_modelled_one(drives: str, tmp_path: Path) -> None:
+    """Both headers declare drive_pins, with two parameters and with four."""
+    source = tmp_path / "program.c"
+    source.write_text(f'#include "servodiffdrive.h"\n{drives}int main() {{ high(3); drive_pins(14, 15); low(3); }}\n')
+    found = run_original(original_program([source], model(), tmp_path), 10_000)
+    assert (found.status, found.cause) == ("unmodelled", "drive_pins")
+    assert [level for _, level in found.trace.levels("P3")] == [1]
+
+
 def test_constants_without_a_value_end_the_run(tmp_path: Path) -> None:
     source = tmp_path / "program.c"
     source.write_text('#include "simpletools.h"\n#include "wifi.h"\nint main() { high(3); int n = CHECK; }\n')

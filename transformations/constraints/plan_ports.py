@@ -19,6 +19,7 @@ from robosmi.transformations.knowledge.adapters.adapter_ranges import parameter_
 from robosmi.transformations.queries.circuits.component_kinds import kinds_of
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.names import name_of
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
 from robosmi.transformations.queries.plans.port_pins import bound_pin, source_name
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
@@ -246,12 +247,16 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
 )  # fmt: skip
 def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> bool | Fail:
-    """A port that a person binds is on a component of the kind that its functions expect, and an output device is not read."""
+    """A port that a person binds is on a component of the kind that its functions expect, and an output device is not read.
+
+    A motor driver's channel turns a motor instead of a servo (RS269).
+    """
     connection = b.connection
     assert connection is not None
     assert connection.component is not None
     title, kinds = connection.component.title, kinds_of(connection)
-    if b.role and kinds and b.role not in kinds:
+    turned = b.role == SERVO and channel_of(b, plan_of(b).motorChannels) is not None
+    if b.role and kinds and b.role not in kinds and not turned:
         return Fail(f"the {named(b)} is bound to '{title}' ({', '.join(sorted(kinds))}), but its functions expect: {b.role}")
     reads = b.origin != "convention" and b.signal is not migration.Signal.write and connection.signal is migration.Signal.write
     silent = reads and connection.component.role is hardware.Role.Output

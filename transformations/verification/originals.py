@@ -89,13 +89,13 @@ def written_sources(units: Iterable[ccode.SourceUnit], files: Mapping[str, bytes
 def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders: Sequence[Path] = ()) -> dict[str, str]:
     """Stand-ins for headers of the platform that a program includes and the host model lacks: name -> text."""
     index = ApiIndex.load(model.platform)
-    wanted = _included(sources, include_folders)
+    wanted = index.closure(sorted(_included(sources, include_folders)))
     own = {path.relative_to(folder).as_posix(): path for folder in model.headers for path in folder.rglob("*.h")}
-    lacking = [name for name in index.closure(sorted(wanted)) if name not in own]
+    lacking = [name for name in wanted if name not in own]
     if not lacking:
         return {}
-    taken = {name for path in own.values() for name in _CALLED.findall(inputs.read_text(path, inputs.DATA))}
-    return {name: _stand_in(name, index, taken) for name in lacking}
+    declared = {header: set(_CALLED.findall(inputs.read_text(path, inputs.DATA))) for header, path in own.items()}
+    return {name: _stand_in(name, index, declared, [header for header in wanted if header in own]) for name in lacking}
 
 
 def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[str]:
@@ -115,15 +115,19 @@ def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[s
     return found
 
 
-def _stand_in(header: str, index: ApiIndex, taken: Collection[str]) -> str:
+def _stand_in(header: str, index: ApiIndex, declared: Mapping[str, Collection[str]], wanted: Collection[str]) -> str:
     """The text of a stand-in.
 
     Args:
         header: its name.
         index: what the platform declares.
-        taken: what headers of the model declare: a function of that name there is another one.
+        declared: header of the model -> what it declares: a function of that name there is another one.
+        wanted: the headers of the model that the program includes; what they declare has its own name if they come first.
     """
-    lines = ['#include "host.h"', *(f"#include <{name}>" for name in index.includes(header))]
+    taken = set().union(*declared.values())
+    own = index.declared(header).keys()
+    first = [name for name in wanted if not own.isdisjoint(declared[name])]
+    lines = ['#include "host.h"', *(f"#include <{name}>" for name in dict.fromkeys((*index.includes(header), *first)))]
     for name, entry in index.declared(header).items():
         if entry.kind == "function":  # the call declares it; the macro tells it from another header's
             if name in taken or len({each.header for each in index.entries(name)}) > 1:

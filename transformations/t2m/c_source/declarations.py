@@ -310,14 +310,16 @@ def _base(context: UnitContext, node: Node) -> ccode.TypeUse:
 
 def _record(context: UnitContext, node: Node) -> ccode.Declaration:
     parameters = _template_parameters(context, node)
-    for friend in (c for c in node.children if c.kind == cursor_kinds.FRIEND_DECL):  # a declaration that looks like a call
-        context.declarators.update(context.name_offset(c.cursor) for c in friend.children)
+    friends = [c for friend in node.children if friend.kind == cursor_kinds.FRIEND_DECL for c in friend.children]
+    context.declarators.update(context.name_offset(c.cursor) for c in friends)  # declarations that look like calls
+    inside = [*node.children, *(c for c in friends if context.lib.isCursorDefinition(c.cursor))]
     fields = [_field(context, c) for c in node.children if c.kind == FIELD]
     methods = [
         m
-        for c in node.children
+        for c in sorted(inside, key=lambda each: each.start)
         if c.kind
         in (
+            cursor_kinds.FUNCTION_DECL,
             cursor_kinds.CXX_METHOD,
             cursor_kinds.CONSTRUCTOR,
             cursor_kinds.DESTRUCTOR,

@@ -58,6 +58,34 @@ def test_calls_of_cplusplus(robot: ccode.Program) -> None:
     assert int(unit.callsInText) == int(unit.callsInModel)
 
 
+def test_functions_that_a_class_defines_as_friends(tmp_path: Path) -> None:
+    text = """
+        class Row;
+        class Lamp {
+          int pin;
+        public:
+          Lamp(int p) : pin(p) {}
+          friend void on(Lamp &l) { high(l.pin); }
+          friend class Row;
+          friend void off(Lamp &l);
+          template <typename T> friend void twice(T &l) { on(l); on(l); }
+        };
+        void off(Lamp &l) { low(l.pin); }
+        Lamp lamp(8);
+        int main() { while (1) { on(lamp); off(lamp); twice(lamp); } }
+    """
+    (tmp_path / "lamp.cpp").write_text(text)
+    program, findings = read_program(tmp_path / "lamp.cpp")
+    unit = program.units[0]
+    lamp = next(d for d in unit.declarations if isinstance(d, ccode.Record) and d.methods)
+    assert [str(m.name) for m in lamp.methods] == ["Lamp", "on", "twice"]
+    calls = {str(call.calleeName): call for call in all_of_kind(program, ccode.Call)}
+    assert calls["on"].callee is lamp.methods[1]
+    assert "high" in calls
+    assert int(unit.callsInText) == int(unit.callsInModel)
+    assert not [f for f in findings if f.rule == "RS102"]
+
+
 def test_a_sketch() -> None:
     program, findings = read_program(FOLDER / "sketch.ino", platform="generic")
     unit = analysis(program, findings, ApiIndex.load("generic"))["units"][0]
