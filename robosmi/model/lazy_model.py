@@ -322,7 +322,7 @@ class LazyModel(EmfModel):
     def value_at(self, number: int, cls: type, name: str) -> Any:
         """The value of an attribute, as far as the start tag of the element tells it."""
         kind = self._skeleton.kinds[cls]
-        feature = getattr(cls, name, None)
+        feature: Any = getattr(cls, name, None)
         entry = kind.plan.entries.get(str(feature.name)) if isinstance(feature, EAttribute) else None
         if name != IDENTITY and (entry is None or entry.kind != VALUE or not entry.bare or feature.name in kind.texts):
             return _UNKNOWN
@@ -381,7 +381,7 @@ class LazyModel(EmfModel):
 
 
 def _new(unread: type, number: int) -> Any:
-    made = object.__new__(unread)
+    made: Any = object.__new__(unread)
     object.__setattr__(made, "_number", number)
     return made
 
