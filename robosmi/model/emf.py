@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Never, cast
+from typing import TYPE_CHECKING, Any, Never, cast
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
@@ -59,7 +59,7 @@ class EmfModel(TypedModel):
         if isinstance(metamodel, (str, Path)):
             metamodel = Metamodel.load(metamodel)
         if metamodel is None:
-            metamodel = dict.fromkeys(_outermost(root.eClass.ePackage) for root in given)
+            metamodel = dict.fromkeys(outermost(root.eClass.ePackage) for root in given)
         super().__init__(Metamodel.of(metamodel), name, path)
         self.findings: list[Finding] = []
         self._digest = ""
@@ -105,6 +105,20 @@ class EmfModel(TypedModel):
             SourceError: a file cannot be read as XMI.
             ModelError: it contradicts its metamodel.
         """
+        return cls.read(path, metamodel, name, strict=strict or not lenient, open_files=open_files)
+
+    @classmethod
+    def read(
+        cls,
+        path: str | Path,
+        metamodel: Packages | str | Path | None,
+        name: str | None,
+        *,
+        strict: bool,
+        open_files: OpenFiles | None,
+        made: Callable[[type], Any] = object.__new__,
+    ) -> EmfModel:
+        """The same; `made` makes the elements of a class, in the order of the file."""
         from robosmi.model.ecore.metamodels import built_in
         from robosmi.model.versions import migrated
         from robosmi.model.xmi.xmi_reader import UnreadableModelError, read_documents
@@ -121,7 +135,7 @@ class EmfModel(TypedModel):
         if roots is None:
             opened = open_files.documents(place) if open_files is not None else None
             try:
-                documents = read_documents(file, used, strict=strict or not lenient, opened=opened)
+                documents = read_documents(file, used, strict=strict, opened=opened, made=made)
             except UnreadableModelError as error:
                 roots = [migrated(file, used, error)]
         if roots is None and not documents:  # the file is a metamodel
@@ -138,7 +152,7 @@ class EmfModel(TypedModel):
         for root in roots:  # a part of an element in a file that it refers to is a root of its own file all the same
             if container_of(root) is not None and home_of(root) is None:
                 Home(None, place).add(root)
-        packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
+        packages = [*dict.fromkeys(outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         model._open_files = open_files
         model._read_with = {other: document.roots for other, document in documents.items() if other != place}
@@ -456,19 +470,8 @@ def _without_unnamed(packages: Iterable[EPackage]) -> list[EObject]:
     return found
 
 
-def _outermost(package: EPackage) -> EPackage:
+def outermost(package: EPackage) -> EPackage:
+    """The package that a package is in, or itself if it is in none."""
     while package.eSuperPackage is not None:
         package = package.eSuperPackage
     return package
-
-
-def open_xmi(
-    path: Path,
-    name: str | None = None,
-    metamodel: Packages | str | Path | None = None,
-    strict: bool = False,
-    lenient: bool = True,
-    open_files: OpenFiles | None = None,
-) -> EmfModel:
-    """Open an XMI file; see `EmfModel.load`."""
-    return EmfModel.load(path, metamodel, name, strict=strict, lenient=lenient, open_files=open_files)

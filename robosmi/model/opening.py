@@ -11,7 +11,7 @@ from collections.abc import Callable
 from importlib.util import find_spec
 from inspect import Parameter, signature
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from msgspec import Struct
 
@@ -22,9 +22,14 @@ from robosmi.model.elements.driver import Model
 from robosmi.plugin_contracts import Contribution, wrong_result
 from robosmi.plugins import content, load, registry
 
+if TYPE_CHECKING:
+    from robosmi.model.ecore.metamodel import Packages
+    from robosmi.model.emf import EmfModel
+    from robosmi.model.xmi.open_files import OpenFiles
+
 V = TypeVar("V")
 _DRIVERS = {
-    "emf": "robosmi.model.emf:open_xmi",
+    "emf": "robosmi.model.opening:open_xmi",
     "xml": "robosmi.model.plain_xml:open_xml",
     "rows": "robosmi.model.table:open_rows",
 }
@@ -69,6 +74,25 @@ def open_model(path: str | Path, driver: str | None = None, name: str | None = N
     """
     file = Path(path)
     return opened_by(driver_of(file, driver, "metamodel" in options), file, name, **options)
+
+
+def open_xmi(
+    path: Path,
+    name: str | None = None,
+    metamodel: Packages | str | Path | None = None,
+    strict: bool = False,
+    lenient: bool = True,
+    open_files: OpenFiles | None = None,
+    lazy: bool = False,
+) -> EmfModel:
+    """Open an XMI file; see `EmfModel.load`. If `lazy`, it is loaded when something needs more than its skeleton."""
+    if lazy:
+        from robosmi.model.lazy_model import open_lazily
+
+        return open_lazily(path, name, metamodel, strict or not lenient, open_files)
+    from robosmi.model.emf import EmfModel
+
+    return EmfModel.load(path, metamodel, name, strict=strict, lenient=lenient, open_files=open_files)
 
 
 def opened_by(opener: Callable[..., Model], file: Path, name: str | None, **options: V) -> Model:

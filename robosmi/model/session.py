@@ -25,8 +25,8 @@ from robosmi.model.ecore.ecore_loader import MetamodelReader
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.ecore.metamodel_files import means_ecore, metamodel_files
 from robosmi.model.elements.driver import Model
-from robosmi.model.emf import EmfModel, open_xmi
-from robosmi.model.opening import driver_of, opened_by
+from robosmi.model.emf import EmfModel
+from robosmi.model.opening import driver_of, open_xmi, opened_by
 from robosmi.model.xmi.open_files import Hook, OpenFiles
 from robosmi.model.xmi.saved_places import back_up_comments, texts_of
 

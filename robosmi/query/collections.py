@@ -20,7 +20,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Never, Protocol, Self, TypeVar, overload
 
 from robosmi.query.changes import Changeable
-from robosmi.query.first_order import FirstOrder, grouped, reached, sorted_by
+from robosmi.query.first_order import FirstOrder, at_rest, grouped, reached, sorted_by
 from robosmi.query.items import Items, R, T
 from robosmi.query.maps import Entries, Fields, K, V
 from robosmi.query.problems import OperandError
@@ -227,7 +227,8 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
 
     def collect(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[R]:
         """The body's value for every item: a Sequence, of a Set or Bag a Bag. Not flattened, and it keeps None, as in EOL."""
-        return self._mapped([body(x) for x in self._source(kind)])
+        with at_rest(items := self._source(kind)):
+            return self._mapped([body(x) for x in items])
 
     def sort_by(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[T]:
         """A Sequence sorted by the body's value; stable. Numbers, texts and Booleans as they are, anything else by its text.

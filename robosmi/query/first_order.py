@@ -13,9 +13,11 @@ Sources: Kolovos et al., The Epsilon Object Language, section 3.2.2; SortByOpera
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator
+from contextlib import AbstractContextManager, nullcontext
 from functools import cmp_to_key
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.query.problems import OperandError
 from robosmi.query.types import fits_integer, matching
 from robosmi.query.values import Long, as_string, collection_kind, is_number, key, position
@@ -58,6 +60,14 @@ FIRST_ORDER = frozenset(
 """The names of the operations here."""
 
 
+_LARGE = 50_000
+
+
+def at_rest(items: list[T]) -> AbstractContextManager[None]:
+    """Suspends garbage collection for many items: the first reading of features makes so much that all would be examined."""
+    return collector_at_rest() if len(items) > _LARGE else nullcontext()
+
+
 class FirstOrder(Generic[T]):
     """The operations that take a function; `Q` and its kinds inherit them."""
 
@@ -73,11 +83,13 @@ class FirstOrder(Generic[T]):
 
     def select(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """The items for which the condition holds, in order; the same kind of collection."""
-        return self._same([x for x in self._source(kind) if condition(x)])
+        with at_rest(items := self._source(kind)):
+            return self._same([x for x in items if condition(x)])
 
     def reject(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """The items for which the condition does not hold, in order; the same kind of collection."""
-        return self._same([x for x in self._source(kind) if not condition(x)])
+        with at_rest(items := self._source(kind)):
+            return self._same([x for x in items if not condition(x)])
 
     def select_one(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> T | None:
         """The first item for which the condition holds, or None."""

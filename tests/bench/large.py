@@ -42,6 +42,15 @@ timed("edges to heavier nodes", lambda: view.Edge.all.select(lambda e: e.source.
 timed("save", lambda: model.save(sys.argv[3]))
 print(json.dumps(found))
 """
+LAZILY = """
+import json, resource, sys, time
+start = time.process_time()
+from robosmi.model import open_model
+from robosmi.query import ModelView
+view = ModelView(open_model(sys.argv[1], metamodel=sys.argv[2], lazy=True))
+found = view.Edge.all.size() if sys.argv[3] == "size" else view.element("_n7").name
+print(json.dumps([time.process_time() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024]))
+"""
 BUILD = """
 import sys, time
 if sys.argv[1] == "ours":
@@ -108,6 +117,16 @@ def ours(path: Path) -> dict[str, float]:
     return found
 
 
+def lazily(path: Path, full: dict[str, float]) -> Iterator[Figure]:
+    """What one question to a model costs that is opened lazily, in its own process and with all imports."""
+    for question, text in (("size", "number of a type"), ("id", "look-up by id")):
+        command = [sys.executable, "-c", LAZILY, str(path), str(GRAPH), question]
+        seconds, memory = json.loads(subprocess.run(command, check=True, capture_output=True, text=True, cwd=ROOT).stdout)
+        for what, own, unit in (("load", seconds, "s"), ("memory", memory, "MB")):
+            note = f"{own:.2f} to {full[what]:.2f} {unit}"
+            yield Figure(f"graph, a million elements, {text}, lazy {what} to full", own / full[what], "x", 0.2, note=note)
+
+
 def emf(path: Path) -> dict[str, float] | str:
     """Processor seconds and memory (MB) of EMF; why not, where it cannot run."""
     command = [
@@ -156,6 +175,8 @@ def figures() -> Iterator[Figure]:
             path = Path(name) / f"graph{objects}.xmi"
             write_graph(path, objects)
             found.append(ours(path))
+            if objects == SIZES[1]:
+                yield from lazily(path, found[-1])
             theirs: Any = emf(path)
             if isinstance(theirs, str):
                 yield not_measured(f"graph, {objects:,} elements, against EMF", f"needs Java and EMF: {theirs}")

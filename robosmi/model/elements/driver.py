@@ -350,7 +350,7 @@ def refuse_unknown_attribute(model: Model, name: str) -> None:
         )
 
 
-_GUARDED = ("robosmi.model.emf", "robosmi.model.plain_xml", "robosmi.query.models")
+_GUARDED = ("robosmi.model.emf", "robosmi.model.lazy_model", "robosmi.model.plain_xml", "robosmi.query.models")
 _SET_BY_MODELS = ("name", "path", "findings", "metamodel", "model", "read_only")
 
 

@@ -7,6 +7,7 @@ without checks, so all questions about a metamodel (what is unsupported, abstrac
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from robosmi.model.elements import compact_slots, datatypes, ecore, features
 from robosmi.model.elements.datatypes import FromText
@@ -142,9 +143,10 @@ class ClassPlan:
 
 
 class Plans:
-    """The plans of one load."""
+    """The plans of one load, and what makes the elements of a class in it."""
 
     def __init__(self) -> None:
+        self.made: Callable[[type], Any] = object.__new__
         self._plans: dict[EClass, ClassPlan] = {}
 
     def of(self, eclass: EClass) -> ClassPlan:

@@ -80,6 +80,10 @@ class OpenFiles:
             if place not in self._models:
                 self._read[place] = document, _digest(place)
 
+    def forget(self, path: Path) -> OpenModel | None:
+        """Let a file be none of the open ones; returns its last model."""
+        return self._models.pop(path, None)
+
     def places(self) -> dict[Path, list[DynamicEObject]]:
         """The root elements of all files that are open or were read with them."""
         return {path: document.roots for path, (document, _) in self._read.items()} | {

@@ -344,7 +344,7 @@ class _Parser(Builder):
     def handlers(self) -> tuple[Callable[[str, dict[str, str]], None], Callable[[str], None]]:
         """What is called at the start and the end of every element; made for speed, so all names are local."""
         parser, references, counted = self.expat, self.document.references, self.document.counted
-        new = object.__new__
+        new = self.plans.made
         container_key, feature_key = CONTAINER, CONTAINING_FEATURE
         other_child, child_plan, other_attribute = self.other_child, self.child_plan, self.other_attribute
         xsi_type, xmi_type = f"{XSI}}}type", f"{XMI}}}type"

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote
@@ -146,6 +146,7 @@ def read_documents(
     strict: bool = True,
     inside: Path | None = None,
     opened: OpenDocuments | None = None,
+    made: Callable[[type], Any] = object.__new__,
 ) -> dict[Path, Document]:
     """Read a model file and those that it refers to, whatever the number of their roots.
 
@@ -158,6 +159,7 @@ def read_documents(
             problems; if not, they are findings of the first document, and proxies stand for what is not there.
         inside: the folder that no file is read outside of, after links are resolved; None for any.
         opened: files that are open: a reference to one leads to its elements; None for none.
+        made: makes the elements of a class, of the given file and in its order.
 
     Returns:
         Absolute path -> document with `roots` and `ids`; the given file comes first. Metamodel files that were referred to
@@ -169,7 +171,9 @@ def read_documents(
     """
     with collector_at_rest(makes_models=True):
         reader = _Reader(metamodels, inside, opened, strict)
+        reader.plans.made = made
         reader.open(Path(os.path.realpath(path)), None)
+        reader.plans.made = object.__new__
         reader.link()
         reader.count()
     if reader.fatal is not None:

@@ -17,7 +17,8 @@ _CODE = "00(?:0[0-8BCEF]|1[0-9A-F])|D[89A-F][0-9A-F]{2}|FFF[EF]|241B"
 _BAD = re.compile(f"[{_FORBIDDEN}]")
 _TO_ESCAPE = re.compile(f"[{_FORBIDDEN}]|{_SYMBOL}(?={_CODE})")
 _ESCAPE = re.compile(f"{_SYMBOL}({_CODE})")
-_POSSIBLE = re.compile(rb"\xe2\x90\x9b|&#(?:[xX]0*241[bB]|0*9243);|^[^>]*encoding\s*=\s*[\"'](?![uU][tT][fF]-?8[\"'])")
+_AS_REFERENCE = re.compile(rb"&#(?:[xX]0*241[bB]|0*9243);")
+_OTHER_ENCODING = re.compile(rb"[^>]*encoding\s*=\s*[\"'](?![uU][tT][fF]-?8[\"'])")
 _MARKUP = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "\n": "&#xA;", "\t": "&#x9;", "\r": "&#xD;", "]]>": "]]&gt;"}
 _IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{_SYMBOL}{_FORBIDDEN}]')
 _IN_TEXT = re.compile(f'[&<"\r{_SYMBOL}{_FORBIDDEN}]|]]>')
@@ -60,7 +61,9 @@ def restored(text: str) -> str:
 
 def may_contain_escapes(data: bytes) -> bool:
     """Whether an XML document may contain an escape; a fast check in UTF-8 that avoids examining each text."""
-    return data[:2] in (b"\xff\xfe", b"\xfe\xff") or _POSSIBLE.search(data) is not None
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff") or _OTHER_ENCODING.match(data) or _SYMBOL.encode() in data:
+        return True
+    return b"&#" in data and _AS_REFERENCE.search(data) is not None
 
 
 def restoring(start: Callable[[str, dict[str, str]], None]) -> Callable[[str, dict[str, str]], None]:
