@@ -66,6 +66,7 @@ class UnitContext:
         covered: offsets of callee names that have a call or a macro use in the model.
         declarators: offsets of names that a declaration declares (they look like calls).
         user_macros: names of macros that the file defines.
+        changing: names of macros whose meaning changes within the file.
         making: offset of the macro use that expands to the call whose arguments are being built; None outside of such.
     """
 
@@ -90,6 +91,7 @@ class UnitContext:
         self.covered: set[int] = set()
         self.declarators: set[int] = set()
         self.user_macros: dict[str, bool] = {}
+        self.changing: set[str] = set()
         self._own_in_headers: dict[str, bool] = {}
         self.findings: list[Finding] = []
         self.depth = 0

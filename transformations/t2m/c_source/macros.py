@@ -1,8 +1,9 @@
 """Macros: the preprocessor's elements of a unit, and expressions that come out of macro expansion.
 
-An expression from an object-like macro becomes a reference to the macro's name, unless it contains a call. One from a
-function-like macro of a header becomes a call by that name with the arguments as written. The body of the program's own
-function-like macros, those in its own headers included, is built as it expands, and its calls are marked `viaMacro`.
+An expression from an object-like macro becomes a reference to the macro's name. It is built as it expands if it contains a
+call, or if the meaning of the name changes within the file. An expression from a function-like macro of a header becomes a call
+by that name with the arguments as written. The body of the program's own function-like macros, those in its own headers
+included, is built as it expands, and its calls are marked `viaMacro`.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expressi
     own = context.is_own(expansion)
     if context.function_like(expansion):
         return None if own else macro_call(context, node, expansion, build)
-    if own and (_has_call(node) or context.making == node.start):
+    if own and (_has_call(node) or context.making == node.start or expansion.name in context.changing):
         return None
     element = ccode.NameReference(name=expansion.name, **context.source.place(expansion.start, expansion.end))
     if expansion.name not in context.user_macros:

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import os
 import re
+from collections import defaultdict
+from collections.abc import Iterable
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import definition_parts, directive_comments, directive_parts
@@ -15,6 +17,7 @@ from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.parsing.invocation import HEADERS
 
 _INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
+_WORD = re.compile(r"[A-Za-z_$][\w$]*")
 CONDITIONALS = frozenset({"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef", "else", "endif"})
 
 
@@ -26,6 +29,7 @@ def read(
     macros: list[ccode.Macro] = []
     conditionals: list[ccode.PreprocessorConditional] = []
     comments: list[ccode.Comment] = []
+    gone: dict[str, int] = {}
     headers = _Headers(context)
     place = context.source.place
     for kind, start, end, text in context.source.tokens:
@@ -62,7 +66,34 @@ def read(
                 macros.append(
                     ccode.Macro(name=name, functionLike=like, parameters=parameters, body=body or None, **place(start, end))
                 )
+        elif word == "undef":
+            gone.update(dict.fromkeys(context.user_macros.keys() & rest.split()[:1], start))
+    last = {text: start for _, start, _, text in context.tokens if text in gone} if gone else {}
+    context.changing = _changing(macros, [name for name, start in gone.items() if last.get(name, -1) > start])
     return includes, macros, conditionals, comments
+
+
+def _changing(macros: Iterable[ccode.Macro], gone: Iterable[str]) -> set[str]:
+    """Names of macros whose meaning changes within a file, directly or by a macro that their text names.
+
+    Args:
+        macros: of the file, in text order.
+        gone: names of those that are undefined and then used.
+    """
+    texts: dict[str, tuple[str | None, str | None]] = {}
+    found, namers = set(gone), defaultdict[str, set[str]](set)
+    for macro in macros:
+        name, text = str(macro.name), (macro.parameters, macro.body)
+        if texts.setdefault(name, text) != text:
+            found.add(name)
+        for word in _WORD.findall(str(macro.body or "")):
+            namers[word].add(name)
+    waiting = list(found)
+    while waiting:
+        more = namers[waiting.pop()] - found
+        found |= more
+        waiting += more
+    return found
 
 
 class _Headers:

@@ -24,6 +24,7 @@ from robosmi.transformations.t2m.c_source.expressions import MOST_CALLS
 from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
 from robosmi.transformations.t2m.c_source.parsing.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.parsing.tree import MOST_CURSORS
 from robosmi.transformations.t2m.c_source.reader import MOST_FILES
 from tests.tiers import examples
 from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
@@ -316,6 +317,20 @@ def test_what_the_parser_misses_where_too_much_was_cut_is_no_fault_of_the_text(t
     assert "RS101" not in {f.rule for f in read_program(path)[1]}
     path.write_text(path.read_text().replace("return a;", "return a b;"))
     assert [f.location.line for f in read_program(path)[1] if f.rule == "RS101" and f.location is not None] == [3]
+
+
+def test_a_small_file_has_no_more_cursors_than_people_write(tmp_path: Path) -> None:
+    once, program = 150, tmp_path / "p.c"
+    fits = MOST_CURSORS // (3 * once) - 2
+    uses = "MANY\n" * fits
+    table = "1," * 10_000  # its elements do not count
+    program.write_text(f"#define MANY {'x = 1; ' * once}\nint x, t[] = {{{table}}};\nint main(void) {{\n{uses}}}\n")
+    assert read_program(program, platform="propeller")[0].units[0].declarations
+    program.write_text(program.read_text().replace("MANY\n}", "MANY\n" * 4 + "}"))
+    with pytest.raises(TooLargeError, match=f"more than {MOST_CURSORS:,} declarations, statements and expressions") as raised:
+        read_program(program, platform="propeller")
+    assert raised.value.location is not None
+    assert abs(raised.value.location.line - 3 - fits) < 4
 
 
 def test_a_file_makes_no_more_calls_than_any_board_can_hold(tmp_path: Path) -> None:

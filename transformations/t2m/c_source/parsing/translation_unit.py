@@ -18,6 +18,7 @@ from functools import cache
 
 from msgspec import Struct
 
+from robosmi.errors import TooLargeError
 from robosmi.transformations.knowledge.lexer import directive_parts
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.replacements import Replacement
@@ -158,7 +159,16 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call, added: Sequence[Replac
             break
         clang.library().disposeTranslationUnit(unit)
     places = {edit.start for edit in added}
-    nodes = [node for node in reader.read() if not (node.start == node.end and node.start in places)]
+    try:
+        read = reader.read()
+    except tree.TooDense as dense:
+        clang.library().disposeTranslationUnit(unit)
+        raise TooLargeError(
+            f"the file has more than {dense.most:,} declarations, statements and expressions, those of macros counted each time",
+            location=source.location(dense.offset),
+            fix="put repeated statements into loops and functions, or leave generated code out",
+        ) from None
+    nodes = [node for node in read if not (node.start == node.end and node.start in places)]
     reader.cut[:0] = [(e.start, e.end) for e in taken_out]
     return Parsed(
         source,

@@ -12,10 +12,16 @@ from typing import Protocol, TypeVar
 
 from robosmi.transformations.t2m.c_source.parsing import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.clang import INCLUSION, MACRO_DEFINITION, MACRO_EXPANSION, Cursor
+from robosmi.transformations.t2m.c_source.parsing.cursor_kinds import INIT_LIST_EXPR
 from robosmi.transformations.t2m.c_source.parsing.error_recovery import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
+MOST_CURSORS, BYTES_PER_CURSOR = 45_000, 3
+"""Cursors of one file, those of macros counted each time and elements of initialisers left out; and what a longer file may have.
+
+Programs that people write have one for four bytes or more; 10,000 calls have 40,000.
+"""
 FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM = (
     cursor_kinds.FUNCTION_DECL,
     cursor_kinds.VAR_DECL,
@@ -65,6 +71,19 @@ class Node:
 
     def __repr__(self) -> str:
         return f"<Node {self.kind} {self.start}..{self.end}{' macro' if self.from_macro else ''} {len(self.children)} children>"
+
+
+class TooDense(Exception):
+    """A file has more declarations, statements and expressions than its size allows.
+
+    Attributes:
+        offset: where they become too many.
+        most: how many its size allows.
+    """
+
+    def __init__(self, offset: int, most: int) -> None:
+        super().__init__(offset, most)
+        self.offset, self.most = offset, most
 
 
 class _WithCursor(Protocol):
@@ -182,7 +201,11 @@ class TreeReader:
         return found
 
     def read(self) -> list[Node]:
-        """The nodes of the file's top level with all below them; fills `expansions` and `cut`."""
+        """The nodes of the file's top level with all below them; fills `expansions` and `cut`.
+
+        Raises:
+            TooDense: the file has more cursors than its size allows.
+        """
         top: list[Node] = []
         types: set[int | None] = set()
         extent, expansion, place = self.extent, self._expansion, self._extent
@@ -212,13 +235,19 @@ class TreeReader:
         place, extent, cut = self._extent, self.extent, self.cut
         first, last = self.base, (self.base + self.length if self._back is None else -1)
         stack: list[Node] = []
+        left = most = max(MOST_CURSORS, self.length // BYTES_PER_CURSOR)
 
         def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
+            nonlocal left
             try:
                 raw = bytes(parent)
                 if stack[-1].raw != raw:
                     leave_to(stack, raw)
                 owner = stack[-1]
+                if owner.kind != INIT_LIST_EXPR:
+                    left -= 1
+                    if left < 0:
+                        raise TooDense(owner.start, most)
                 found = place(cursor)
                 start, end = found.begin, found.end
                 if first <= start <= end <= last:
