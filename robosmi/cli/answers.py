@@ -50,8 +50,20 @@ class HandedWiring(Protocol):
     def findings(self) -> Sequence[Finding]:
         """What is worth knowing."""
 
+    @property
+    def project(self) -> Project:
+        """The project file that judges the findings."""
+
     def artifacts(self) -> list[dict[str, str]]:
         """Files written, {path, kind}."""
+
+
+class CheckedModel(Analysed, Protocol):
+    """A model that was checked."""
+
+    @property
+    def project(self) -> Project:
+        """The project file that judges the findings."""
 
 
 class ListedTargets(Protocol):

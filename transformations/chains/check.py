@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
+
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
@@ -20,7 +22,7 @@ from robosmi.model.ecore.metamodels import built_in
 from robosmi.model.generator.codegen import render
 from robosmi.model.versions import read_current
 from robosmi.plugins import registry
-from robosmi.project import project_of
+from robosmi.project import Project, project_of
 from robosmi.query import root_of
 from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
@@ -28,14 +30,20 @@ from robosmi.transformations.chains.stages.constraint_sets import KIND, constrai
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.readers import is_drawing
 from robosmi.transformations.chains.stages.reading import read_drawing
+from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.finding_locations import in_file
 
 
 class Checked:
-    """The checked model and the findings."""
+    """The checked model and the findings.
 
-    def __init__(self) -> None:
+    Args:
+        project: the project file that judges the findings.
+    """
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
         self.models: list[dict[str, Any]] = []
         self.findings: list[Finding] = Findings()
         self.sound: str | None = None
@@ -64,7 +72,7 @@ def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
         metamodels: the `.ecore` files of an XMI file whose metamodels are not known.
 
     Raises:
-        SourceError: it cannot be read.
+        SourceError: it or its project file cannot be read.
         ModelError: it contradicts its metamodel.
     """
     file = Path(path)
@@ -75,11 +83,11 @@ def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
 
 
 def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
-    done = Checked()
+    done = Checked(project_of(file))
     if metamodels:
         return _validated(done, [open_model(file, "emf", metamodel=Metamodel.load(*metamodels))])
     if is_drawing(file):
-        read = read_drawing(file, project_of(file).roles)
+        read = read_drawing(file, done.project.roles)
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix == ".ecore":
@@ -92,6 +100,8 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
     root = next(iter(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values()))
     if isinstance(root, migration.MigrationPlan) and root.circuit is not None:
         wired(root)  # the board is the plan's, not the repository's
+    if isinstance(root, migration.MigrationPlan) and file.match(STORED):
+        done.project = project_of_output(file.parents[1], root)
     models = [EmfModel(root, name=file.stem)]
     if isinstance(root, migration.MigrationPlan):
         parts = {
@@ -108,10 +118,19 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
         done.findings += model.findings if isinstance(model, EmfModel) else []
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
-            done.findings += in_file(one.run(model, *_referred(model, models)).findings(), _path(model))
+            found = one.run(model, *_referred(model, models))
+            named = map(_with_port, found.findings(), (unsatisfied.element for unsatisfied in found.unsatisfied))
+            done.findings += in_file(list(named), _path(model))
         counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
+
+
+def _with_port(finding: Finding, element: object) -> Finding:
+    """A finding with the name of the port that it is about, if any, as `migrate` reports it."""
+    if not isinstance(element, migration.PortBinding):
+        return finding
+    return replace(finding, evidence={**finding.evidence, "port": str(element.name)})
 
 
 def _path(model: Model) -> str:

@@ -10,11 +10,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from robosmi.diagnostics import Finding, Severity
-from robosmi.project import Project, load_project
 from robosmi.report import Report
 from robosmi.transformations.chains.check import check
-from robosmi.transformations.chains.stages.models import load_models
-from robosmi.transformations.chains.stages.sources import project_folder
 
 DAMAGING = frozenset({"RS258"})
 """Rules whose errors say that a pin of the board may be destroyed."""
@@ -32,18 +29,7 @@ def upload_refusals(output: Path) -> Sequence[Finding]:
     plan = output / "models" / "plan.xmi"
     if not plan.is_file():
         return []
-    report = Report("upload")
-    report.findings = [finding for finding in check(plan).findings if finding.rule in DAMAGING]
-    if report.findings:
-        project = _project_of(output, plan)
-        report.judge(project.severity, project.accept)
+    report, checked = Report("upload"), check(plan)
+    report.findings = [finding for finding in checked.findings if finding.rule in DAMAGING]
+    report.judge(checked.project.severity, checked.project.accept)
     return [finding for finding in report.findings if finding.severity is Severity.error]
-
-
-def _project_of(output: Path, plan: Path) -> Project:
-    """The project file in the output folder, else the one beside the program that the plan was made from."""
-    own = load_project(output)
-    if own.path is not None:
-        return own
-    folder, _ = project_folder(output, load_models(plan).plan)
-    return load_project(folder) if folder is not None else own
