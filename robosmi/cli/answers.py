@@ -66,6 +66,29 @@ class CheckedModel(Analysed, Protocol):
         """The project file that judges the findings."""
 
 
+class ComparedOutputs(Protocol):
+    """What differs between two migrations."""
+
+    @property
+    def equal(self) -> bool:
+        """Whether nothing differs."""
+
+    @property
+    def board(self) -> tuple[str, str] | None:
+        """The boards, if they differ."""
+
+    @property
+    def choices(self) -> dict[str, tuple[str, str]]:
+        """Name of each choice with another answer -> both answers."""
+
+    @property
+    def text(self) -> str:
+        """The unified diff of the programs."""
+
+    def lines(self) -> list[str]:
+        """Text for a terminal."""
+
+
 class ListedTargets(Protocol):
     """What a command lists, without findings."""
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from robosmi.diagnostics import Finding
+from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
 from robosmi.model.ecore.ecore_lint import lint
@@ -24,6 +24,7 @@ from robosmi.model.versions import read_current
 from robosmi.plugins import registry
 from robosmi.project import Project, project_of
 from robosmi.query import root_of
+from robosmi.report import Report
 from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.stages.constraint_sets import KIND, constraints_of
@@ -33,6 +34,9 @@ from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.finding_locations import in_file
+
+DAMAGING = frozenset({"RS258"})
+"""Rules whose errors say that a pin of the board may be destroyed. A person who knows better accepts them (`[[accept]]`)."""
 
 
 class Checked:
@@ -149,3 +153,21 @@ def _referred(model: Model, models: Sequence[Model]) -> list[Model]:
 def _metamodels(model: Model) -> list[str]:
     """The names of a model's metamodels; empty for a technology without metamodels."""
     return list(dict.fromkeys(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind))
+
+
+def upload_refusals(output: Path) -> Sequence[Finding]:
+    """The errors of a plan that a person has to accept before its program is uploaded; the registry's query of that name.
+
+    Args:
+        output: the output folder of a migration; any other folder has none.
+
+    Raises:
+        SourceError: the plan or the project file cannot be read.
+    """
+    plan = output / "models" / "plan.xmi"
+    if not plan.is_file():
+        return []
+    report, checked = Report("upload"), check(plan)
+    report.findings = [finding for finding in checked.findings if finding.rule in DAMAGING]
+    report.judge(checked.project.severity, checked.project.accept)
+    return [finding for finding in report.findings if finding.severity is Severity.error]
