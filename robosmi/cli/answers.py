@@ -50,8 +50,43 @@ class HandedWiring(Protocol):
     def findings(self) -> Sequence[Finding]:
         """What is worth knowing."""
 
+    @property
+    def project(self) -> Project:
+        """The project file that judges the findings."""
+
     def artifacts(self) -> list[dict[str, str]]:
         """Files written, {path, kind}."""
+
+
+class CheckedModel(Analysed, Protocol):
+    """A model that was checked."""
+
+    @property
+    def project(self) -> Project:
+        """The project file that judges the findings."""
+
+
+class ComparedOutputs(Protocol):
+    """What differs between two migrations."""
+
+    @property
+    def equal(self) -> bool:
+        """Whether nothing differs."""
+
+    @property
+    def board(self) -> tuple[str, str] | None:
+        """The boards, if they differ."""
+
+    @property
+    def choices(self) -> dict[str, tuple[str, str]]:
+        """Name of each choice with another answer -> both answers."""
+
+    @property
+    def text(self) -> str:
+        """The unified diff of the programs."""
+
+    def lines(self) -> list[str]:
+        """Text for a terminal."""
 
 
 class ListedTargets(Protocol):

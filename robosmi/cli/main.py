@@ -76,7 +76,7 @@ GROUPS = {
     },
     "models": {
         "query": "query a model of any technology",
-        "diff": "compare two models and list what differs",
+        "diff": "compare two models or two migrations and list what differs",
         "merge": "merge two models that were made from one",
         "run": "run the steps of a chain that have changed",
         "corpus": "run many programs and collect their results in tables",
@@ -86,7 +86,7 @@ GROUPS = {
         "targets": "list the boards that programs can be moved to, and what results are proven by",
         "adapters": "list, show and save adapters (replacements for the source platform's functions)",
         "history": "list, export and import earlier library choices",
-        "libraries": "add installed libraries to the index",
+        "libraries": "install libraries, and add installed ones to the index",
         "parts": "add a drawing tool's parts to the catalogue",
         "platform": "create a source platform from its headers",
     },

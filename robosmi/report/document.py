@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
@@ -55,7 +56,7 @@ class Report(Struct):
         Args:
             severity: rule -> level.
             accept: what is accepted; an element is a finding's URI, the title of its component, `#model_index`,
-                its port, or `*`.
+                its port, its place `FILE:LINE`, or `*`.
         """
         judged: list[Finding] = []
         for finding in self.findings:
@@ -99,7 +100,13 @@ def _names(finding: Finding) -> tuple[object, ...]:
     """The names by which `[[accept]]` may refer to a finding's element."""
     about = finding.evidence
     number = f"#{about['model_index']}" if "model_index" in about else None
-    return (finding.element, "*", about.get("component") or None, about.get("port") or None, number)
+    return (finding.element, "*", place_of(finding) or None, about.get("component") or None, about.get("port") or None, number)
+
+
+def place_of(finding: Finding) -> str:
+    """The line that a finding is about, as `FILE:LINE`, without folders; "" if it is about none."""
+    place = finding.location
+    return f"{PurePath(place.path).name}:{place.line}" if place is not None and place.line else ""
 
 
 def _accepts_nothing(accepted: Accepted, found: Sequence[Finding]) -> Finding:

@@ -90,7 +90,10 @@
       return element("tr", {}, element("th", { scope: "row" }, `${channel.component} (${channel.port}: ${channel.pins.original} / ${channel.pins.migrated})`), ...cells);
     });
     by("watched").replaceChildren(...rows);
-    for (const side of SIDES) by(`console-${side}`).lines = (run.console[side] || []);
+    for (const side of SIDES) {
+      const box = by(`console-${side}`);
+      [box.lines, box.shown] = [run.console[side] || [], null];
+    }
     drawInputs();
     drawTimeline();
     show();
@@ -139,7 +142,7 @@
   function drawInputs() {
     const held = document.activeElement && document.activeElement.dataset.input;
     by("inputs").replaceChildren(...run.inputs.map(input => {
-      const label = input.setting === "points" ? input.title : `${input.title} ${input.setting}`, own = { "data-input": input.title, "data-setting": input.setting };
+      const label = input.title === "console" ? "Type into the serial monitor" : input.setting === "points" ? input.title : `${input.title} ${input.setting}`, own = { "data-input": input.title, "data-setting": input.setting };
       let control;
       if (input.control === "button") control = element("button", { type: "button", ...own, "aria-pressed": "false" }, label);
       else if (input.control === "range") control = element("input", { type: "range", ...own, min: input.least, max: input.most, step: "any" });
@@ -153,14 +156,29 @@
 
   // ---- what changes with the clock
 
-  function last(events) {
+  function count(events) { // of those that have happened
     let low = 0, high = events.length;
     while (low < high) {
       const middle = (low + high) >> 1;
       if (events[middle][0] <= at) low = middle + 1;
       else high = middle;
     }
-    return events[low - 1];
+    return low;
+  }
+
+  function last(events) {
+    return events[count(events) - 1];
+  }
+
+  const NOTES = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
+
+  function audible(event) {
+    return event && event[3] === "wave" && Number(event[1]) >= 20 && Number(event[1]) < 15000;
+  }
+
+  function note(event) { // the nearest one of the scale in which A4 has 440 Hz
+    const number = Math.round(12 * Math.log2(Number(event[1]) / 440)) + 57;
+    return audible(event) ? ` (${NOTES[number % 12]}${Math.floor(number / 12)})` : "";
   }
 
   function shownValue(input) {
@@ -179,25 +197,28 @@
         cell.angle = cell.turns ? cell.angle + Number(state) * passed * 0.0036 : Number(state) - 90;
         cell.querySelector("line").setAttribute("transform", `rotate(${(cell.angle % 360).toFixed(1)} 12 12)`);
       }
-      if (event && event[3] === "wave" && Number(state) >= 20 && Number(state) < 15000 && cell.dataset.side === "migrated") hz = Number(state);
+      if (audible(event) && cell.dataset.side === "migrated") hz = Number(state);
       if (cell.dataset.state === state && cell.shown === event) continue;
       cell.dataset.state = state;
       cell.shown = event;
       cell.classList.toggle("turning", Boolean(turning));
-      cell.querySelector("span").textContent = event ? event[2] : "nothing yet";
+      cell.querySelector("span").textContent = event ? `${event[2]}${note(event)}` : "nothing yet";
       if (cell.dataset.side === "migrated" && by("circuit")) {
         for (const part of by("circuit").querySelectorAll("[data-symbol]")) if (part.dataset.component === cell.dataset.component) part.dataset.state = state;
       }
     }
     for (const side of SIDES) {
-      const box = by(`console-${side}`), text = (box.lines || []).filter(line => line[0] <= at).map(line => line[1]).join("");
-      if (box.textContent !== text) {
-        box.textContent = text;
+      const box = by(`console-${side}`), printed = count(box.lines);
+      if (box.shown !== printed) {
+        box.shown = printed;
+        box.textContent = box.lines.slice(0, printed).map(line => line[1]).join("");
         box.scrollTop = box.scrollHeight;
       }
     }
     for (const control of by("inputs").querySelectorAll("[data-input]")) {
       const value = shownValue(control.input);
+      if (control.shown === value) continue;
+      control.shown = value;
       if (control.type === "range" && control !== document.activeElement) control.value = value;
       if (control.type === "range") control.nextElementSibling.textContent = String(value);
       if (control.type === "button") control.setAttribute("aria-pressed", String(value === 1));
@@ -306,7 +327,8 @@
   async function save() {
     const name = by("case-name").value.trim(), unnamed = { state: "refused", message: "Give the test case a name." };
     const answer = name ? await ask({ ...asked(Math.max(100, run.ms)), save: name }).catch(() => ({ state: "refused", message: "The server does not answer." })) : unnamed;
-    by("save-status").textContent = answer.message;
+    const unsure = answer.state === "done" && run.compared && !run.difference && run.verdict !== "no-difference-found" && run.reason;
+    by("save-status").textContent = unsure ? `${answer.message} It decides nothing: ${run.reason}.` : answer.message;
     by("save-status").dataset.state = answer.state;
     if (answer.cases) listCases(answer.cases);
   }

@@ -69,3 +69,19 @@ def test_the_page_has_a_row_for_each_difference_and_its_texts_stay_texts(edited:
     done = run("diff", SPLIT / "ok.xmi", edited, "--metamodel", SPLIT / "g.ecore", "-o", page, "--json")
     assert done.code not in (0, 1)
     assert page.read_text() == "mine"
+
+
+def test_two_migrations_differ_in_board_choices_and_program(tmp_path: Path) -> None:
+    (tmp_path / "lamp.c").write_text('#include "simpletools.h"\nint main() { high(3); }\n')
+    for name, target, pin in (("a", "uno", "D4"), ("b", "mega", "D5")):
+        done = run("migrate", tmp_path / "lamp.c", "--target", target, "--bind", f"P3={pin}", "-o", tmp_path / name)
+        assert done.code == 0
+    same = run("diff", tmp_path / "a", tmp_path / "a")
+    assert (same.code, same.out) == (0, "no difference\n")
+    done = run("diff", tmp_path / "a", tmp_path / "b", "--json")
+    assert done.code == 1
+    assert done.result["board"] == ["Arduino Uno", "Arduino Mega 2560"]
+    assert done.result["choices"] == {"port:P3": ["D4", "D5"]}
+    assert "-  high(4);" in done.result["diff"]
+    assert "+  high(5);" in done.result["diff"]
+    assert run("diff", tmp_path / "a", tmp_path / "b", "-o", tmp_path / "x.html").code == 2

@@ -209,6 +209,26 @@ def test_a_finding_about_one_port_is_accepted_for_that_port(out: Path) -> None:
     assert {element for rule, element in page.acceptable if rule == "RS262"} == {"P3", "P7"}
     assert "No longer on purpose" in page.sections["check"]
     assert page.sections["check"].count('data-accept="RS262"') - page.sections["check"].count("data-reason") == 1
+    table = out.parent / "w.csv"
+    for command in (("check", out), ("check", out / "models" / "plan.xmi"), ("wiring", out, "--as", "csv", "-o", table)):
+        found = run(*command, "--json").document["findings"]
+        assert [f for f in found if f["rule"] == "RS911"] == []
+        levels = [f["severity"] for f in found if f["rule"] == "RS262"]
+        assert levels in (["info", "warning"], ["warning", "info"], []), command
+        assert levels or command[0] == "wiring"
+
+
+def test_a_finding_about_one_line_is_accepted_for_that_line(tmp_path: Path) -> None:
+    (tmp_path / "two.c").write_text(PROGRAM.replace("int eye;", "int eye;\n  horn(1);\n  bell(2);"))
+    robosmi.migrate([tmp_path / "two.c"], tmp_path / "out", target="uno")
+    page = PlanPage(tmp_path / "out")
+    page.document(live=True, nonce="n")
+    assert {element for rule, element in page.acceptable if rule == "RS109"} == {"two.c:5", "two.c:6"}
+    about = {"rule": "RS109", "element": "two.c:6", "reason": "it is mine", "plan": page.now()}
+    assert page.act("accept", about)["state"] == "saved"
+    found = run("migrate", tmp_path / "two.c", "--target", "uno", "-o", tmp_path / "out", "--json").document["findings"]
+    assert [f["severity"] for f in found if f["rule"] == "RS109" and f["location"]["line"] == 5] == ["warning"]
+    assert [f["severity"] for f in found if f["rule"] == "RS109" and f["location"]["line"] == 6] == ["info"]
 
 
 def test_undo_takes_an_accepted_finding_back(migrated: Any) -> None:

@@ -11,7 +11,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Finding
+from msgspec.structs import replace
+
+from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
 from robosmi.model.ecore.ecore_lint import lint
@@ -20,22 +22,32 @@ from robosmi.model.ecore.metamodels import built_in
 from robosmi.model.generator.codegen import render
 from robosmi.model.versions import read_current
 from robosmi.plugins import registry
-from robosmi.project import project_of
+from robosmi.project import Project, project_of
 from robosmi.query import root_of
+from robosmi.report import Report
 from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.stages.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.readers import is_drawing
 from robosmi.transformations.chains.stages.reading import read_drawing
+from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.finding_locations import in_file
 
+DAMAGING = frozenset({"RS258"})
+"""Rules whose errors say that a pin of the board may be destroyed. A person who knows better accepts them (`[[accept]]`)."""
+
 
 class Checked:
-    """The checked model and the findings."""
+    """The checked model and the findings.
 
-    def __init__(self) -> None:
+    Args:
+        project: the project file that judges the findings.
+    """
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
         self.models: list[dict[str, Any]] = []
         self.findings: list[Finding] = Findings()
         self.sound: str | None = None
@@ -64,7 +76,7 @@ def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
         metamodels: the `.ecore` files of an XMI file whose metamodels are not known.
 
     Raises:
-        SourceError: it cannot be read.
+        SourceError: it or its project file cannot be read.
         ModelError: it contradicts its metamodel.
     """
     file = Path(path)
@@ -75,11 +87,11 @@ def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
 
 
 def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
-    done = Checked()
+    done = Checked(project_of(file))
     if metamodels:
         return _validated(done, [open_model(file, "emf", metamodel=Metamodel.load(*metamodels))])
     if is_drawing(file):
-        read = read_drawing(file, project_of(file).roles)
+        read = read_drawing(file, done.project.roles)
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix == ".ecore":
@@ -92,6 +104,8 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
     root = next(iter(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values()))
     if isinstance(root, migration.MigrationPlan) and root.circuit is not None:
         wired(root)  # the board is the plan's, not the repository's
+    if isinstance(root, migration.MigrationPlan) and file.match(STORED):
+        done.project = project_of_output(file.parents[1], root)
     models = [EmfModel(root, name=file.stem)]
     if isinstance(root, migration.MigrationPlan):
         parts = {
@@ -108,10 +122,19 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
         done.findings += model.findings if isinstance(model, EmfModel) else []
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
-            done.findings += in_file(one.run(model, *_referred(model, models)).findings(), _path(model))
+            found = one.run(model, *_referred(model, models))
+            named = map(_with_port, found.findings(), (unsatisfied.element for unsatisfied in found.unsatisfied))
+            done.findings += in_file(list(named), _path(model))
         counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
+
+
+def _with_port(finding: Finding, element: object) -> Finding:
+    """A finding with the name of the port that it is about, if any, as `migrate` reports it."""
+    if not isinstance(element, migration.PortBinding):
+        return finding
+    return replace(finding, evidence={**finding.evidence, "port": str(element.name)})
 
 
 def _path(model: Model) -> str:
@@ -130,3 +153,21 @@ def _referred(model: Model, models: Sequence[Model]) -> list[Model]:
 def _metamodels(model: Model) -> list[str]:
     """The names of a model's metamodels; empty for a technology without metamodels."""
     return list(dict.fromkeys(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind))
+
+
+def upload_refusals(output: Path) -> Sequence[Finding]:
+    """The errors of a plan that a person has to accept before its program is uploaded; the registry's query of that name.
+
+    Args:
+        output: the output folder of a migration; any other folder has none.
+
+    Raises:
+        SourceError: the plan or the project file cannot be read.
+    """
+    plan = output / "models" / "plan.xmi"
+    if not plan.is_file():
+        return []
+    report, checked = Report("upload"), check(plan)
+    report.findings = [finding for finding in checked.findings if finding.rule in DAMAGING]
+    report.judge(checked.project.severity, checked.project.accept)
+    return [finding for finding in report.findings if finding.severity is Severity.error]

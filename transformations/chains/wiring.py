@@ -21,8 +21,10 @@ from robosmi.files.files import refuse_link, write_atomic
 from robosmi.generate.output_paths import Places
 from robosmi.metamodels import migration
 from robosmi.plugins import content
+from robosmi.project import Project
 from robosmi.query import Q
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
+from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
 from robosmi.transformations.m2m.circuits.wokwi_wiring import wokwi_wiring
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
@@ -44,6 +46,8 @@ class Handed(Struct):
         kinds: relative path -> kind of artifact.
         findings: what could not be exported, with what to do.
         result: further facts, JSON values.
+        written: the paths of the files, each with its kind.
+        project: the project file that judges the findings.
     """
 
     files: Mapping[str, bytes]
@@ -51,6 +55,7 @@ class Handed(Struct):
     findings: list[Finding] = []
     result: dict[str, Any] = {}
     written: list[tuple[Path, str]] = []
+    project: Project = Project()
 
     def artifacts(self) -> list[dict[str, str]]:
         """The files, as the contract lists them."""
@@ -70,6 +75,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
         StoppedError: a file in the folder is there already and is another, or is a link.
     """
     models = stored_models(output)
+    project_file = project_of_output(output, models.plan)
     made: Handed = content(FORM, form)(models, output, path)
     if "" in made.files:
         _check_free(path.parent, {path.name: made.files[""]})
@@ -82,6 +88,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
             )  # fmt: skip
         _check_free(path, made.files)
         update(path, made.files)
+    made.project = project_file
     made.written = [(path / name if name else path, made.kinds[name]) for name in made.files]
     return made
 

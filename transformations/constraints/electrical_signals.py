@@ -138,7 +138,7 @@ def CanInterrupt(c: hardware.Component) -> bool | Fail:
 def IsOnASerialPort(c: hardware.Component) -> bool | Fail:
     """A serial device is on the pins of a serial port."""
     pins = lacking(c, "uart", lambda w, p: w.means(p.connector, "uart"))
-    return not pins or fault(c, f"'{who(c)}' needs a serial port, but {listed(pins)} has none", pins=", ".join(pins))
+    return not pins or fault(c, f"'{who(c)}' needs a serial port, and there is none on {listed(pins)}", pins=", ".join(pins))
 
 
 @devices.constraint(id="RS244", location=drawing, advice="use a digital pin")

@@ -16,6 +16,7 @@ from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
+from robosmi.report.document import place_of
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, result_in_words, task_place
 from robosmi.transformations.m2t.move_text import move_text
@@ -41,6 +42,10 @@ from robosmi.transformations.queries.reports.written_bodies import task_key
 
 _SHOWN = 5
 """Number of errors on the first screen."""
+_EXPLAINED = 8
+"""Answers to a question that are shown with their reasons; the further ones are buttons alone."""
+_NAMED = 3
+"""Parts of a pin that are listed by name."""
 CHUNK = 25
 """Rows that a browser lays out together; chunks out of sight are laid out later."""
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Notes"}
@@ -73,14 +78,14 @@ def works(
 
 
 def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
-    """Each choice with its possible answers, the open ones first."""
+    """Each choice with its possible answers, the open ones first; the roles of parts, which are never open, do not count."""
     told = {each.id: each for each in available_choices(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
-    shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
+    roles = [_role(told[identity], output) for identity in told if identity.startswith("role:")]
     open_ = [one for one in shown if one["open"]]
     drawing = plan.circuit is None and any(one["kind"] == "port" for one in open_)
     made = [one for one in shown if not one["open"]]
-    return {"open": open_, "made": made, "total": len(shown), "wants_drawing": drawing}
+    return {"open": open_, "made": made, "roles": roles, "total": len(shown), "wants_drawing": drawing}
 
 
 def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
@@ -88,7 +93,7 @@ def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
     return {
         "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
         "by": WHO[told.by], "at": "", "why": told.why, "title": f"What is '{told.subject}' for?", "context": [],
-        "answer": told.chosen, "pins": "", "ranked": [], "command": f"robosmi choose {output} {told.id}=ROLE",
+        "answer": told.chosen, "pins": "", "ranked": [], "weaker": [], "command": f"robosmi choose {output} {told.id}=ROLE",
         "drawn": [],
         "others": [
             {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": "", "used": ""}
@@ -122,6 +127,7 @@ def _choice(
     first = [option for option in told.options[:1] if option.value == NOT_WIRED or option.score]
     best = [*first, *(option for option in told.options[1:] if option.score)]
     ranked = [answer_row(option) for option in best]
+    weaker = ranked[_EXPLAINED:]
     plain = [option for option in told.options if option not in best]
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told.chosen or "",
@@ -130,7 +136,7 @@ def _choice(
         "answer": label_of(told.chosen or ""),
         "context": context_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else [],
         "pins": " ".join(_pins_of(decision) if told.chosen else [str(row["pin"]) for row in ranked if row["pin"]]),
-        "ranked": ranked,
+        "ranked": ranked[:_EXPLAINED], "weaker": weaker,
         "drawn": [answer_row(option) for option in plain if option.value in pins],
         "others": [answer_row(option) for option in plain if option.value not in pins],
         "command": f"robosmi choose {output} {one.id}={'PIN' if port else 'LIBRARY'}",
@@ -269,13 +275,13 @@ def _all(rule: str, name: str, count: int) -> str:
 
 def _accepted_names(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> Callable[[Finding], str]:
     """What `[[accept]]` calls the element of a finding: its component's title, `#model_index` if that is ambiguous,
-    its port, or `*`.
+    its port, its place, or `*`.
     """
     titles = Counter(str(component.title) for component in (plan.circuit.components if plan.circuit is not None else ()))
 
     def name(finding: Finding) -> str:
         title, index = finding.evidence.get("component"), finding.evidence.get("model_index")
-        own = str(finding.evidence.get("port") or finding.element or "*")
+        own = str(finding.evidence.get("port") or finding.element or place_of(finding) or "*")
         return str(title) if titles[str(title)] == 1 else f"#{index}" if index else own
 
     return name
@@ -348,7 +354,7 @@ def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
             calls.setdefault(id(binding), []).extend(flow.calls)
     return [
         {
-            "pin": pin, "label": f"{pin}: {'; '.join(titles)}", "ports": ", ".join(_port_name(b) for b in used.get(pin, ())),
+            "pin": pin, "label": f"{pin}: {_cut_list(titles)}", "ports": ", ".join(_port_name(b) for b in used.get(pin, ())),
             "lines": _lines(
                 [each for b in used.get(pin, ()) for each in (b.element, *calls.get(id(b), ()))], sources
             ),
@@ -360,6 +366,11 @@ def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
         }
         for pin, titles in sorted(parts.items(), key=lambda item: natural_key(item[0]))
     ]  # fmt: skip
+
+
+def _cut_list(titles: Sequence[str]) -> str:
+    more = len(titles) - _NAMED
+    return "; ".join(titles) if more <= 0 else f"{'; '.join(titles[:_NAMED])} and {more} more"
 
 
 def _port_name(binding: migration.PortBinding) -> str:

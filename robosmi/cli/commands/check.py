@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 
 from robosmi.cli.common import command_line
 from robosmi.plugins import content
-from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.api import Analysed
+    from robosmi.cli.answers import CheckedModel
     from robosmi.cli.options import Options
 
 
@@ -35,10 +34,9 @@ class _Arguments(argparse.Namespace):
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("check")
-    project = project_of(arguments.model)
-    done: Analysed = content("chain", "check")(arguments.model, arguments.metamodels)
+    done: CheckedModel = content("chain", "check")(arguments.model, arguments.metamodels)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
-    report.judge(project.severity, project.accept)
+    report.judge(done.project.severity, done.project.accept)
     if arguments.model.is_dir() and not report.exit_code("error"):
         report.next = command_line("compile", arguments.model)
     return report

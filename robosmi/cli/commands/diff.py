@@ -1,4 +1,4 @@
-"""`robosmi diff A B`: what is different about two models."""
+"""`robosmi diff A B`: what is different about two models or two migrations."""
 
 from __future__ import annotations
 
@@ -7,16 +7,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robosmi.cli.common import check_replaced
+from robosmi.errors import UsageError
+from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import ComparedOutputs
     from robosmi.cli.options import Options
 
 
 def configure(parser: Options) -> None:
     """Add the command's options."""
-    parser.add_argument("before", metavar="A", type=Path, help="a model in XMI, JSON (.json) or .ecore")
-    parser.add_argument("after", metavar="B", type=Path, help="another model of the same metamodel")
+    parser.add_argument("before", metavar="A", type=Path, help="a model in XMI, JSON (.json) or .ecore, or an output folder")
+    parser.add_argument("after", metavar="B", type=Path, help="another one of the same metamodel, or a folder")
     parser.add_argument(
         "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
         help="metamodel of both models; repeatable",
@@ -40,6 +43,8 @@ def run(arguments: _Arguments) -> Report:
     from robosmi.report.comparison_page import comparison_page
 
     report = Report("diff")
+    if all((path / "models" / "plan.xmi").is_file() for path in (arguments.before, arguments.after)):
+        return _outputs(report, arguments)
     found = compare(arguments.before, arguments.after, metamodel=arguments.metamodels)
     report.findings = found.findings
     report.result = {"equal": found.equal, "changes": [change.to_json() for change in found.changes]}
@@ -51,4 +56,15 @@ def run(arguments: _Arguments) -> Report:
         report.artifacts = [{"path": str(arguments.page), "kind": "page"}]
         report.lines.append(f"wrote {arguments.page}")
     report.failure_code, report.ok = 1, found.equal
+    return report
+
+
+def _outputs(report: Report, arguments: _Arguments) -> Report:
+    """Compare two output folders."""
+    if arguments.page is not None:
+        raise UsageError("-o needs two models", fix="name both plans: A/models/plan.xmi B/models/plan.xmi")
+    done: ComparedOutputs = content("chain", "output_diff")(arguments.before, arguments.after)
+    report.result = {"equal": done.equal, "board": done.board, "choices": done.choices, "diff": done.text}
+    report.lines = done.lines() or ["no difference"]
+    report.failure_code, report.ok = 1, done.equal
     return report

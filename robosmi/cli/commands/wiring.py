@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Final
 from robosmi.cli.common import output_folder
 from robosmi.errors import UsageError
 from robosmi.plugins import content, registry
-from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
@@ -45,6 +44,5 @@ def run(arguments: _Arguments) -> Report:
     report.result = {"form": arguments.form, "path": str(arguments.path), **done.result}
     report.findings, report.artifacts = list(done.findings), done.artifacts()
     report.lines = [f"wrote {artifact['path']}" for artifact in report.artifacts]
-    project = project_of(arguments.output)
-    report.judge(project.severity, project.accept)
+    report.judge(done.project.severity, done.project.accept)
     return report

@@ -17,6 +17,7 @@ from robosmi.errors import UsageError
 from robosmi.files.files import digest
 from robosmi.files.run_lock import SOURCES, store, stored
 from robosmi.metamodels import migration
+from robosmi.project import Project, load_project
 from robosmi.transformations.t2m.c_source.parsing.source import stored_bytes
 
 
@@ -98,6 +99,19 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
     if not found or not folder.is_dir():
         return None, "the program's folder no longer exists"
     return folder, ""
+
+
+def project_of_output(output: Path, plan: migration.MigrationPlan) -> Project:
+    """The project file in an output folder, else the one beside the program that its plan was made from.
+
+    Raises:
+        SourceError: the project file cannot be read.
+    """
+    own = load_project(output)
+    if own.path is not None:
+        return own
+    folder, _ = project_folder(output, plan)
+    return load_project(folder) if folder is not None else own
 
 
 def _sources(plan: migration.MigrationPlan) -> dict[str, str]:

@@ -245,7 +245,8 @@ def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelCompariso
         )
     if racy:
         where = "; ".join(f"{c.channel}: {c.itself}" if c.itself is not None else c.channel for c in racy)
-        advice = "check on the bench what depends on chance or exact timing"
+        change = "" if scenario.origin == "generated" else "move the inputs of this test case by some milliseconds, or "
+        advice = f"{change}check on the bench what depends on chance or exact timing"
         return f"the original is not repeatable in '{scenario.name}' ({where}); {advice}"
     return ""
 

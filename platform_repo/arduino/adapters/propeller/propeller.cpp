@@ -77,8 +77,8 @@ inline void wait_until(uint32_t target) {
 //#   kind: semantic
 //#   needs: wait_until
 //#   fidelity: within 8 us while no cogs take turns
-//#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
-//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   limit: where cogs take turns, it may end later: the others first run until they wait (see RS325)
+//#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 //#   stack: 4
 inline uint32_t waitcnt(uint32_t target) {
   wait_until(target);
@@ -90,8 +90,8 @@ inline uint32_t waitcnt(uint32_t target) {
 //#   kind: semantic
 //#   needs: waitcnt
 //#   fidelity: within 8 us while no cogs take turns; the next target is exact
-//#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
-//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   limit: where cogs take turns, it may end later: the others first run until they wait (see RS325)
+//#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 //#   stack: 4
 inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
   return waitcnt(target) + delta;
@@ -527,7 +527,7 @@ inline void cogstop(int32_t cogid) {
 //#   kind: oneToOne
 //#   needs: waitcnt2
 //#   fidelity: within 8 us; the next target is exact
-//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 //#   stack: 4
 inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
   return waitcnt2(target, delta);

@@ -133,7 +133,7 @@ inline void do_each_frame(void (*job)()) {
 //#   needs: hal/Io
 //#   fidelity: a motor's share of full power is that of 200 us which a servo's pulse is longer than 1,500 us, backwards for a shorter
 //#   fidelity: one; at a stand, and without pulses, all inputs are low and the motor coasts
-//#   limit: motors turn as fast as their supply and load let them: a servo's 128 ticks/s are full power; measure a table for robosmi.toml, [servos]
+//#   limit: 128 ticks/s are full power of the motors, whose speed depends on supply and load; measure it for [servos] of robosmi.toml
 //#   ram: 10
 struct Motor {
   const MotorPins *pins;

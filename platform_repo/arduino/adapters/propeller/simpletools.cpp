@@ -303,7 +303,7 @@ inline void pause(int32_t time) {
 //#   kind: oneToOne
 //#   needs: pause_unit propeller.h/wait_until propeller.h/CNT propeller.h/held_up
 //#   fidelity: within 0.1 % in the mean: what other cogs make a pause longer is taken off the next ones, up to half of each
-//#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
+//#   limit: where cogs take turns, it may end later: the others first run until they wait (see RS325)
 //#   stack: 12 2
 inline void pause(int32_t time) {
   if (pause_unit != 80000L) {
@@ -441,7 +441,7 @@ inline int32_t answering(int32_t pin) {
 //#   needs: hal/Io hal/leaves TimedInput in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
-//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
+//#   limit: the time of an edge during an interrupt is wrong by up to 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit: other cogs wait meanwhile
 //#   stack: 63 47
 inline int32_t pulse_in(int32_t pin, int32_t state) {
@@ -463,7 +463,7 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
 //#   needs: hal/Io hal/Uninterrupted hal/edge_clock hal/leaves TimedInput in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
-//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
+//#   limit: the time of an edge during an interrupt is wrong by up to 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit avr: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
 //#   stack: 54 42
@@ -567,8 +567,8 @@ inline bool in_range_of_tone(int32_t frequency) {
 //#   needs: hal/Io hal/tones low in_range_of_tone
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
-//#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
-//#   limit: beside servos some half periods are up to 24 us longer: of 1 ms at 38 kHz one cycle of 38 may lack
+//#   limit: one tone at a time; no tone below 31 Hz and above 65,535 Hz, where it only waits
+//#   limit: beside servos some half periods are up to 24 us longer: a burst of 1 ms at 38 kHz may be one cycle short
 //#   range: frequency 31..65535 or 0: it waits without a tone
 //#   stack: 50 28
 //#   interrupt: TIMER2_COMPA_vect 19

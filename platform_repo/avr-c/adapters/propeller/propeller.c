@@ -111,7 +111,7 @@ static inline void wait_until(uint32_t target) {
 //#   kind: semantic
 //#   needs: wait_until
 //#   fidelity: within 8 us
-//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 static inline uint32_t waitcnt(uint32_t target) {
   wait_until(target);
   return target;
@@ -122,7 +122,7 @@ static inline uint32_t waitcnt(uint32_t target) {
 //#   kind: semantic
 //#   needs: waitcnt
 //#   fidelity: within 8 us; the next target is exact
-//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 static inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
   return waitcnt(target) + delta;
 }
@@ -351,7 +351,7 @@ static inline int32_t lockclr(int32_t lockid) {
 //#   kind: oneToOne
 //#   needs: waitcnt2
 //#   fidelity: within 8 us; the next target is exact
-//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 static inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
   return waitcnt2(target, delta);
 }

@@ -463,7 +463,7 @@ static inline int32_t answering(int32_t pin) {
 //#   needs: Io propeller.h/clock_us leaves timed_input in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
-//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
+//#   limit: the time of an edge during an interrupt is wrong by up to 12 us beside servos, 22 us where interrupts meet
 //#   limit: other cogs wait meanwhile
 static inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io = io_at(pin);
@@ -487,7 +487,7 @@ static inline int32_t pulse_in(int32_t pin, int32_t state) {
 //#   needs: Io propeller.h/clock_us leaves timed_input edge_cycles in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
-//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
+//#   limit: the time of an edge during an interrupt is wrong by up to 12 us beside servos, 22 us where interrupts meet
 //#   limit: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
 static inline int32_t rc_time(int32_t pin, int32_t state) {
@@ -662,7 +662,7 @@ static inline bool wave_start(volatile uint8_t *in, uint8_t mask, int32_t freque
 //#   needs: Io low wave propeller.h/clock_wait
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
-//#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
+//#   limit: one tone at a time; no tone below 31 Hz and above 65,535 Hz, where it only waits
 //#   range: frequency 31..65535 or 0: it waits without a tone
 static inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io = io_at(pin);
