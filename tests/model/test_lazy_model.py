@@ -24,6 +24,11 @@ def lazily(path: Path = SHOP, metamodel: Path = METAMODEL, **options: Any) -> An
     return open_model(path, metamodel=metamodel, lazy=True, **options)
 
 
+def fully() -> Any:
+    """The same model, read whole."""
+    return open_model(SHOP, metamodel=METAMODEL)
+
+
 def is_unread(model: Any) -> bool:
     """Whether only the skeleton is there."""
     return type(model) is LazyModel
@@ -31,7 +36,7 @@ def is_unread(model: Any) -> bool:
 
 @pytest.mark.parametrize("kind", ["Shop", "Item", "Book", "Box"])
 def test_the_skeleton_knows_the_elements_of_each_type(kind: str) -> None:
-    lazy, full = lazily(), open_model(SHOP, metamodel=METAMODEL)
+    lazy, full = lazily(), fully()
     for found, wanted in (
         (lazy.all_of_kind(kind), full.all_of_kind(kind)),
         (lazy.all_of_type(kind), full.all_of_type(kind)),
@@ -52,7 +57,7 @@ def test_a_view_counts_without_loading() -> None:
 
 @pytest.mark.parametrize("identity", ["_s", "b1", "b2", "b3", "x1", "x2"])
 def test_an_element_is_found_by_its_id(identity: str) -> None:
-    lazy, full = lazily(), open_model(SHOP, metamodel=METAMODEL)
+    lazy, full = lazily(), fully()
     found, wanted = lazy.element(identity), full.element(identity)
     assert found.__class__.__name__ == type(wanted).__name__
     assert isinstance(found, lazy.type_named(type(wanted).__name__).python_class)
@@ -71,8 +76,8 @@ def test_given_elements_are_those_of_the_loaded_model() -> None:
     assert book.code == "b2"
     assert is_unread(lazy)
     assert book.previous is lazy.element("b1"), "the opposite, which the file does not have"
-    assert type(lazy) is EmfModel
     assert type(book) is lazy.Book.kind.python_class
+    assert type(lazy) is EmfModel
     assert book.eContainer() is box
     assert inner.text == "in the\nbox"
     assert lazy.Box.all == [box, inner]
@@ -89,7 +94,7 @@ def test_given_elements_are_those_of_the_loaded_model() -> None:
     ],
 )
 def test_a_change_is_saved_as_that_of_a_loaded_model(tmp_path: Path, change: Any) -> None:
-    models = lazily(), open_model(SHOP, metamodel=METAMODEL)
+    models = lazily(), fully()
     for place, model in zip(("lazy.xmi", "full.xmi"), models, strict=True):
         change(model)
         model.save(tmp_path / place)

@@ -129,13 +129,13 @@ def taken_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
             for call in called.calls if called.name not in _BY_VALUE else ():
                 if call.viaMacro or isinstance(call.calleeExpression, ccode.Member):
                     continue
-                for given, number in zip(call.arguments, numbers, strict=False):
-                    if number is None or number.real or number.fixed or number.bits != bits or not values.cuts(given, number):
+                for argument, number in zip(call.arguments, numbers, strict=False):
+                    if number is None or number.real or number.fixed or number.bits != bits or not values.cuts(argument, number):
                         continue
                     reason = f"'{call.calleeName}' takes {bits} bits on its own board"
-                    start, end = int(given.startOffset), int(given.endOffset)
+                    start, end = int(argument.startOffset), int(argument.endOffset)
                     cut = f"({'' if number.signed else 'u'}int{bits}_t)("
-                    yield SketchEdit(given, _RULE, reason, (inserted(start, cut), inserted(end, ")")))
+                    yield SketchEdit(argument, _RULE, reason, (inserted(start, cut), inserted(end, ")")))
         for call in _called(view, "analogWrite"):
             given = call.arguments[1] if len(call.arguments) > 1 else None
             found = values.range_of(given)

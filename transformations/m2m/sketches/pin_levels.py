@@ -183,10 +183,11 @@ def _given_elsewhere(sketch: MovedSketch) -> frozenset[int]:
     """The numbers that methods and constructors take, such as the pins of a library's objects."""
     found = set[int]()
     for view in sketch.views:
-        made = [*view.of_kind(ccode.ConstructorCall)]
-        methods = [call for call in view.of_kind(ccode.Call) if isinstance(call.calleeExpression, ccode.Member)]
-        for each in (*made, *methods):
-            found.update(v.number for given in each.arguments for v in view.values.of(given) if v.number is not None)
+        taken = [made.arguments for made in view.of_kind(ccode.ConstructorCall)]
+        taken += [call.arguments for call in view.of_kind(ccode.Call) if isinstance(call.calleeExpression, ccode.Member)]
+        found.update(
+            v.number for arguments in taken for given in arguments for v in view.values.of(given) if v.number is not None
+        )
     return frozenset(found)
 
 

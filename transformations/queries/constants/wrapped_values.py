@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import TypeGuard
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -282,7 +283,7 @@ class WrappedValues:
         )
 
     @staticmethod
-    def _is_macro(expression: Element | None) -> bool:
+    def _is_macro(expression: Element | None) -> TypeGuard[ccode.NameReference]:
         """Whether an expression is the name of a macro, whose body may calculate beyond its type."""
         return isinstance(expression, ccode.NameReference) and expression.target is None
 

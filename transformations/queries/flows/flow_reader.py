@@ -501,8 +501,9 @@ class FlowReader:
             return
         arguments = list(call.arguments)
         lambdas, alone = called_lambdas(call)
-        for function in (*lambdas, *(own := [] if alone else self.called(call))):
-            for parameter, argument in zip(function.parameters, arguments, strict=False):
+        own = [] if alone else self.called(call)
+        for taken in [each.parameters for each in lambdas] + [each.parameters for each in own]:
+            for parameter, argument in zip(taken, arguments, strict=False):
                 self._give(self.key(parameter), argument)
         if alone or own:
             return
@@ -516,14 +517,12 @@ class FlowReader:
                 self._give(("through a pointer", position), argument)
             for name, pin in self.pointed.values():
                 if pin.position < len(arguments) and takes_number(call, pin.position):
-                    why = f"it is given through a pointer (line {call.line})"
-                    self.flows.freeze(self.value(arguments[pin.position]), why)
+                    self.flows.freeze(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
                     self._pin(name, pin, call, view, mixed=self._other_pointed)
             return
         parameters = self.pins(str(call.calleeName or ""), view)
         if not parameters:
             self._exchanged(arguments)
-            return
         for pin in parameters:
             if pin.position < len(arguments):
                 self._pin(str(call.calleeName), pin, call, view)

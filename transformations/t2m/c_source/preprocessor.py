@@ -68,8 +68,8 @@ def read(
                 )
         elif word == "undef":
             gone.update(dict.fromkeys(context.user_macros.keys() & rest.split()[:1], start))
-    last = {text: start for _, start, _, text in context.tokens if text in gone} if gone else {}
-    context.changing = _changing(macros, [name for name, start in gone.items() if last.get(name, -1) > start])
+    used = {text: start for _, start, _, text in context.tokens if text in gone} if gone else {}
+    context.changing = _changing(macros, [name for name, start in gone.items() if used.get(name, -1) > start])
     return includes, macros, conditionals, comments
 
 
@@ -80,10 +80,10 @@ def _changing(macros: Iterable[ccode.Macro], gone: Iterable[str]) -> set[str]:
         macros: of the file, in text order.
         gone: names of those that are undefined and then used.
     """
-    texts: dict[str, tuple[str | None, str | None]] = {}
+    texts: dict[str, tuple[tuple[str, ...], str | None]] = {}
     found, namers = set(gone), defaultdict[str, set[str]](set)
     for macro in macros:
-        name, text = str(macro.name), (macro.parameters, macro.body)
+        name, text = str(macro.name), (tuple(macro.parameters), macro.body)
         if texts.setdefault(name, text) != text:
             found.add(name)
         for word in _WORD.findall(str(macro.body or "")):
