@@ -106,7 +106,8 @@ def run_on_cluster(
         client = distributed.Client(scheduler, timeout=_CONNECT_S, set_as_default=False)
     except Exception as error:  # what else answers there says anything, and lets Dask ask for any amount of memory
         raise SourceError(
-            f"there is no scheduler at {scheduler} that answers", fix="start it: dask scheduler; give its address: tcp://HOST:PORT"
+            f"there is no scheduler at {scheduler} that answers",
+            fix="start it: dask scheduler; give its address: tcp://HOST:PORT",
         ) from error
     run = uuid4().hex
     try:
@@ -149,6 +150,10 @@ def run_on_cluster(
                 yield msgspec.json.decode(future.result(), type=ProgramResult)
             elif future.status == "cancelled" or client.status != "running":
                 raise lost
+            elif future.status in ("pending", "lost"):  # its result died with its worker, and another one computes it again
+                under_way[future.key] = known
+                results.add(future)
+                continue
             else:
                 yield ProgramResult(known[1].work.id, SKIPPED, message=f"the cluster gave it up: {future.exception()}")
             future.release()

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.corpus import cluster as clusters_of_dask
-from robosmi.corpus import memory
+from robosmi.corpus import cluster as clusters_of_dask, memory
 from robosmi.corpus.cluster import run_on_cluster
 from robosmi.corpus.schema import TABLES, VERDICTS
 from robosmi.errors import SourceError
