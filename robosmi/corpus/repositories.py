@@ -17,6 +17,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from robosmi import inputs
 from robosmi.errors import MissingToolError, SourceError
 from robosmi.files.files import within, write_atomic
 from robosmi.inputs import DRAWING
@@ -105,7 +106,7 @@ def name_commit(file: Path, before: str, after: str) -> None:
         file: the file with the text.
         before, after: the folders.
     """
-    data = file.read_bytes()
+    data = inputs.read_bytes(file, inputs.MODEL)
     changed = data.replace(*(f"{_LAID.findall(os.path.basename(folder))[-1]}/".encode() for folder in (before, after)))
     if changed != data:
         write_atomic(file, changed)

@@ -148,7 +148,7 @@ class CorpusRun:
             backend: runs the jobs.
 
         Raises:
-            SourceError: the programs or the store cannot be read, the store cannot be written, or a setting names what is unknown.
+            SourceError: the programs or the store cannot be read, the store cannot be written, or a setting is unknown.
             StoppedError: another run is at work in the output folder.
         """
         started = time.monotonic()
