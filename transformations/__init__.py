@@ -48,6 +48,7 @@ _CONTENT = {
     ("chain", "check"): "chains.check:check",
     ("chain", "corpus_programs"): "chains.corpus:programs",
     ("chain", "corpus_files"): "chains.corpus:files",
+    ("chain", "corpus_settings"): "chains.corpus:check_settings",
     ("chain", "corpus_analyse"): "chains.corpus:analyse_step",
     ("chain", "corpus_migrate"): "chains.corpus:migrate_step",
     ("chain", "corpus_compile"): "chains.corpus:compile_step",

@@ -5,24 +5,29 @@ On each Dask worker a job runs in a worker process of ours, as in the pool, so t
 
 from __future__ import annotations
 
+import asyncio
 import atexit
 import logging
 import threading
 import time
 from collections.abc import Generator, Iterable, Iterator, Sequence
+from contextlib import suppress
 from importlib import import_module
 from itertools import islice
 from typing import Any
+from uuid import uuid4
 
 import msgspec
 
 from robosmi.corpus.digests import tool_version
 from robosmi.corpus.jobs import ProgramJob, ProgramResult
 from robosmi.corpus.states import SKIPPED
-from robosmi.corpus.worker_process import WorkerProcess
+from robosmi.corpus.worker_process import Stopped, WorkerProcess
 from robosmi.errors import MissingToolError, SourceError
 
 _CONNECT_S = 30.0
+_REACH_S = 5.0
+"""Seconds after which an address that does not answer has no scheduler."""
 _AHEAD = 3
 """Jobs in the cluster for each of its threads, so that none idles and nothing piles up."""
 _LOOK_S = 0.05
@@ -30,36 +35,55 @@ _LOOK_S = 0.05
 _WORKERS_S = 5.0
 """Seconds without a result after which the workers of the cluster are looked at again."""
 _local = threading.local()
-_processes: list[WorkerProcess] = []
+_processes: dict[str, list[WorkerProcess]] = {}
+"""Run -> its worker processes on this Dask worker."""
+_over: set[str] = set()
+"""Runs that have ended."""
 
 
-def run_one(data: bytes, steps: tuple[str, ...]) -> bytes:
-    """Run one job on a Dask worker, in a worker process that its thread keeps.
+def run_one(data: bytes, steps: tuple[str, ...], run: str) -> bytes:
+    """Run one job on a Dask worker, in a worker process that its thread keeps for the run.
 
     Args:
         data: the job as JSON.
         steps: names of the steps.
+        run: names the run.
+
+    Raises:
+        Stopped: the run is over.
     """
-    process: WorkerProcess | None = getattr(_local, "process", None)
-    if process is None:
-        process = _local.process = WorkerProcess(steps)
-        _processes.append(process)
+    if run in _over:
+        raise Stopped
+    kept: dict[str, WorkerProcess] = _local.__dict__.setdefault("kept", {})
+    if (process := kept.get(run)) is None:
+        process = kept[run] = WorkerProcess(steps)
+        _processes.setdefault(run, []).append(process)
     return msgspec.json.encode(process.run(msgspec.json.decode(data, type=ProgramJob)))
+
+
+def end_run(run: str) -> None:
+    """End what a run has started on a Dask worker, in the middle of a program, too."""
+    _over.add(run)
+    for process in _processes.pop(run, []):
+        process.stop()
 
 
 @atexit.register
 def _end() -> None:
-    for process in _processes:
-        process.stop()
+    for run in list(_processes):
+        end_run(run)
 
 
-def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[str]) -> Generator[ProgramResult, None, None]:
+def run_on_cluster(
+    scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[str], stop: threading.Event | None = None
+) -> Generator[ProgramResult, None, None]:
     """The results of jobs, as they come.
 
     Args:
         scheduler: its address.
         jobs: taken from as the cluster has room.
         steps: names of the steps.
+        stop: once it is set, results end at once, and programs under way have none.
 
     Raises:
         MissingToolError: Dask is not installed.
@@ -78,12 +102,14 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
         fix="start it and run the same command again: what is stored stays",
     )  # fmt: skip
     try:
-        distributed.comm.get_address_host_port(scheduler, strict=False)  # a client that fails in it waits a minute for its end
+        asyncio.run(_greet(distributed, scheduler))  # a client that fails in it takes a minute to end
         client = distributed.Client(scheduler, timeout=_CONNECT_S, set_as_default=False)
-    except (OSError, ValueError, TimeoutError) as error:
+    except Exception as error:  # what else answers there says anything, and lets Dask ask for any amount of memory
         raise SourceError(
-            f"there is no scheduler at {scheduler}", fix="start it: dask scheduler; give its address: tcp://HOST:PORT"
+            f"there is no scheduler at {scheduler} that answers",
+            fix="start it: dask scheduler; give its address: tcp://HOST:PORT",
         ) from error
+    run = uuid4().hex
     try:
         workers = _Workers(client, scheduler)
         waiting = iter(jobs)
@@ -93,7 +119,7 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
             made = []
             for job in some:
                 future = client.submit(
-                    run_one, msgspec.json.encode(job), tuple(steps), pure=False, retries=1, workers=workers.right
+                    run_one, msgspec.json.encode(job), tuple(steps), run, pure=False, retries=1, workers=workers.right
                 )  # fmt: skip
                 under_way[future.key] = (future, job)
                 made.append(future)
@@ -103,7 +129,7 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
             submit(islice(waiting, workers.threads * _AHEAD)), loop=client.loop, raise_errors=False
         )  # fmt: skip
         looked = time.monotonic()
-        while under_way:
+        while under_way and not (stop is not None and stop.is_set()):
             if not results.has_ready() and not results.is_empty():
                 time.sleep(_LOOK_S)
                 if time.monotonic() - looked > _WORKERS_S:
@@ -124,17 +150,38 @@ def run_on_cluster(scheduler: str, jobs: Iterator[ProgramJob], steps: Sequence[s
                 yield msgspec.json.decode(future.result(), type=ProgramResult)
             elif future.status == "cancelled" or client.status != "running":
                 raise lost
+            elif future.status in ("pending", "lost"):  # its result died with its worker, and another one computes it again
+                under_way[future.key] = known
+                results.add(future)
+                continue
             else:
                 yield ProgramResult(known[1].work.id, SKIPPED, message=f"the cluster gave it up: {future.exception()}")
             future.release()
             results.update(submit(islice(waiting, 1)))
             looked = time.monotonic()
+        else:
+            under_way.clear()  # all have ended, or are not wanted
         if under_way:
             raise lost
     except (OSError, TimeoutError) as error:
         raise lost from error
     finally:
+        if client.status == "running":
+            with suppress(Exception):  # what cannot be ended ends with its program
+                client.run(end_run, run, on_error="ignore")
         client.close(timeout=2)
+
+
+async def _greet(distributed: Any, scheduler: str) -> None:
+    """Connect to a scheduler and leave again.
+
+    Raises:
+        Exception: nothing answers there, or not as a scheduler.
+    """
+    settings = distributed.Security().get_connection_args("client")
+    connected = distributed.comm.connect(scheduler, timeout=_REACH_S, **settings)
+    answered = await asyncio.wait_for(connected, _REACH_S)  # it waits for ever for who listens and says nothing
+    await answered.close()
 
 
 class _Workers:

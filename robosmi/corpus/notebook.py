@@ -37,12 +37,12 @@ class BackgroundRun:
         self._changed = threading.Condition()
         self._over = False
         self._error: BaseException | None = None
-        self._stop = False
+        self._stop = threading.Event()
         self._thread = threading.Thread(target=self._work, daemon=True)
         self._thread.start()
 
     def _work(self) -> None:
-        results = self._run.results(backend_of(self._run.options))
+        results = self._run.results(backend_of(self._run.options, self._stop))
         try:
             for result in results:
                 for step in result.steps:
@@ -50,8 +50,6 @@ class BackgroundRun:
                 with self._changed:
                     self._ended.append(result)
                     self._changed.notify_all()
-                if self._stop:
-                    break
         except BaseException as error:
             self._error = error
         finally:
@@ -94,8 +92,8 @@ class BackgroundRun:
         return self._run.summary
 
     def stop(self) -> None:
-        """Stop after the next result, and wait for it; another run goes on from there."""
-        self._stop = True
+        """Stop now; programs under way have no result, and another run begins with them."""
+        self._stop.set()
         self._thread.join()
 
     @property

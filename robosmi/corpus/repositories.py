@@ -17,8 +17,9 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from robosmi import inputs
 from robosmi.errors import MissingToolError, SourceError
-from robosmi.files.files import within
+from robosmi.files.files import within, write_atomic
 from robosmi.inputs import DRAWING
 
 _LIMIT_S = 600.0
@@ -94,6 +95,21 @@ def repository_of(folder: str) -> str:
         folder: a folder that `checkout` has made, or its name.
     """
     return os.path.basename(folder).rpartition("-")[0]
+
+
+def name_commit(file: Path, before: str, after: str) -> None:
+    """Let a text that names the folder of a commit name that of another one of the repository.
+
+    Only the digests at the ends of the two names differ, and no format of a text escapes them.
+
+    Args:
+        file: the file with the text.
+        before, after: the folders.
+    """
+    data = inputs.read_bytes(file, inputs.MODEL)
+    changed = data.replace(*(f"{_LAID.findall(os.path.basename(folder))[-1]}/".encode() for folder in (before, after)))
+    if changed != data:
+        write_atomic(file, changed)
 
 
 def remove_unused(folder: Path, used: Iterable[str]) -> None:

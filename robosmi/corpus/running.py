@@ -21,12 +21,13 @@ from robosmi.corpus.digests import Digests, digest_of_files, digest_of_text, too
 from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramWork
 from robosmi.corpus.output_folders import end_with
 from robosmi.corpus.programs import SOURCES, ProgramSource, program_sources
-from robosmi.corpus.repositories import remove_unused, repository_of
+from robosmi.corpus.repositories import name_commit, remove_unused, repository_of
 from robosmi.corpus.spec import Spec
 from robosmi.corpus.states import DONE, FAILED, FAILURES, SKIPPED, STATES, TIMEOUT, TOO_LARGE
 from robosmi.corpus.store import FILE, Store, StoredResult
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
+from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError, did_you_mean
+from robosmi.plugins import content
 
 LOCK = "corpus.lock"
 RESULTS = "programs"
@@ -147,10 +148,11 @@ class CorpusRun:
             backend: runs the jobs.
 
         Raises:
-            SourceError: the programs or the store cannot be read, or the store cannot be written.
+            SourceError: the programs or the store cannot be read, the store cannot be written, or a setting is unknown.
             StoppedError: another run is at work in the output folder.
         """
         started = time.monotonic()
+        self._check_settings()
         with _alone(self.out):
             sources = program_sources(self.spec, self.out)
             store = Store(store_place(self.out, self.options.store), write=True)
@@ -161,6 +163,16 @@ class CorpusRun:
             finally:
                 store.close()
                 self.summary.seconds = round(time.monotonic() - started, 3)
+
+    def _check_settings(self) -> None:
+        """Refuse a target, board or platform that is unknown, once and before any program is run with it."""
+        named = [("[migrate]", self.spec.migrate)]
+        named += [(f"migrate of [[programs]] number {place.number}", place.migrate) for place in self.spec.places]
+        for where, settings in named:
+            try:
+                content("chain", "corpus_settings")(settings)
+            except RobosmiError as error:
+                raise SourceError(f"{where}: {error.message}", location=Location(str(self.spec.path)), fix=error.fix) from error
 
     def _run(self, sources: Sequence[ProgramSource], store: Store, backend: Backend, started: float) -> Iterator[ProgramResult]:
         known = store.known()
@@ -246,6 +258,8 @@ class CorpusRun:
         if any(digests.of(path) != known.files[old] for path, old in now.items()):
             return False
         digest = digest_of_files({path: known.files[old] for path, old in now.items()})
+        for model in Path(self._output(source)).glob("*/*.xmi"):
+            name_commit(model, before, source.root)
         store.move_program(source.id, before, source.root, source.revision, digest)
         return True
 

@@ -53,6 +53,26 @@ def run_faulty(*words: str | Path) -> tuple[int, Any]:
     return done.returncode, json.loads(done.stdout)
 
 
+STOPPED = """
+import sys, time, robosmi
+run = robosmi.corpus.run(*sys.argv[1:3], jobs=1, scheduler=sys.argv[3] if sys.argv[3:] else None)
+next(iter(run))
+time.sleep(0.5)
+run.stop()
+print(run.summary.programs, run.summary.done, len(run), run.running)
+"""
+"""Stops a run of two programs after the first."""
+
+
+def stopped(folder: Path, *scheduler: str) -> str:
+    """What is said about a run from Python that is stopped while its second program hangs, for whose end nobody could wait."""
+    spec = faulty(folder / "all", limits="seconds = 3600", a="good", b="hang")
+    words = [sys.executable, "-c", STOPPED, spec, folder / "out", *scheduler]
+    done = subprocess.run(words, capture_output=True, text=True, env=environment(), check=False, timeout=90)
+    assert not done.stderr
+    return done.stdout.strip()
+
+
 def rows(out: Path, sql: str) -> list[tuple[Any, ...]]:
     """The rows that answer a question."""
     store = Store(out / "corpus.sqlite")

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import socket
 import subprocess
+import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from robosmi.corpus import cluster as clusters_of_dask, memory
 from robosmi.corpus.cluster import run_on_cluster
 from robosmi.corpus.schema import TABLES, VERDICTS
 from robosmi.errors import SourceError
-from tests.corpus_runs.clusters import cluster, finished, other_worker, run_with_a_lost_worker, until_lines
-from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty
+from tests.corpus_runs.clusters import Process, cluster, finished, other_worker, run_with_a_lost_worker, until_lines
+from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty, stopped
 from tests.tools import require_tools
 
 pytest.importorskip("distributed", reason="distributed is not installed (extra cluster)")
@@ -26,15 +30,21 @@ def test_a_worker_that_dies_loses_nothing(tmp_path: Path) -> None:
     assert len(rows(out, "SELECT id FROM programs")) == 21
 
 
-def test_workers_with_other_plug_ins_run_nothing(tmp_path: Path) -> None:
-    with cluster(tmp_path, workers=1) as (place, _, _):
-        words = command("run", copied(tmp_path), "-o", tmp_path / "out", "--scheduler", place)
-        done = subprocess.run(words, capture_output=True, text=True, check=False)
-        assert done.returncode == 3, "its workers have the plug-in, and the run has not"
-        assert "no worker has" in done.stderr
-        assert rows(tmp_path / "out", "SELECT count(*) FROM programs") == [(0,)]
-        with other_worker(tmp_path, place):
-            assert subprocess.run(words, stdout=subprocess.DEVNULL, check=False).returncode == 0
+@pytest.fixture(scope="module")
+def one_worker(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Process]]:
+    """The address of a scheduler, and its worker."""
+    with cluster(tmp_path_factory.mktemp("cluster"), workers=1) as (place, workers, _):
+        yield place, workers[0]
+
+
+def test_workers_with_other_plug_ins_run_nothing(one_worker: tuple[str, Process], tmp_path: Path) -> None:
+    words = command("run", copied(tmp_path), "-o", tmp_path / "out", "--scheduler", one_worker[0])
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == 3, "its workers have the plug-in, and the run has not"
+    assert "no worker has" in done.stderr
+    assert rows(tmp_path / "out", "SELECT count(*) FROM programs") == [(0,)]
+    with other_worker(tmp_path, one_worker[0]):
+        assert subprocess.run(words, stdout=subprocess.DEVNULL, check=False).returncode == 0
     assert rows(tmp_path / "out", "SELECT state, count(*) FROM programs GROUP BY state") == [("done", 4)]
 
 
@@ -60,18 +70,46 @@ def test_the_rows_of_all_steps_are_those_of_the_pool(tmp_path: Path) -> None:
         assert found or table is VERDICTS, table.name
 
 
+def test_a_run_that_is_stopped_ends_its_programs_on_the_workers(one_worker: tuple[str, Process], tmp_path: Path) -> None:
+    place, worker = one_worker
+    assert stopped(tmp_path, place) == "2 1 1 False"
+    assert not list(memory.descendants(worker.pid))
+
+
 def test_no_scheduler(tmp_path: Path) -> None:
     spec = faulty(tmp_path / "all", a="good")
-    code, document = run_faulty("run", spec, "-o", tmp_path / "out", "--scheduler", "tcp://127.0.0.1:9")
+    code, document = run_faulty("run", spec, "-o", tmp_path / "out", "--scheduler", "nonsense")
     assert code == 3
     assert "no scheduler" in document["findings"][0]["message"]
 
 
-@pytest.mark.parametrize("place", ["nonsense", "tcp://host", "tpc://host:8786", "tcp://host:port"])
-def test_an_address_of_no_scheduler_makes_no_client(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def without_client(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("distributed.Client", lambda *_, **__: pytest.fail("its end would have to be waited for"))
+    monkeypatch.setattr(clusters_of_dask, "_REACH_S", 0.5)
+
+
+@pytest.mark.parametrize("place", ["nonsense", "tcp://host", "tpc://host:8786", "tcp://host:port", "tcp://127.0.0.1:9"])
+def test_an_address_of_no_scheduler_makes_no_client(place: str, without_client: None) -> None:
     with pytest.raises(SourceError, match="no scheduler"):
         next(run_on_cluster(place, iter(()), ("analyse",)))
+
+
+@pytest.mark.parametrize("said", [b"", b"HTTP/1.1 400 Bad Request\r\n\r\n"], ids=["nothing", "something else"])
+def test_what_listens_and_is_no_scheduler(said: bytes, without_client: None) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        held = []
+
+        def answer() -> None:
+            held.append(server.accept()[0])
+            held[0].sendall(said)
+
+        thread = threading.Thread(target=answer)
+        thread.start()
+        with pytest.raises(SourceError, match="no scheduler"):
+            next(run_on_cluster(f"tcp://127.0.0.1:{server.getsockname()[1]}", iter(()), ("analyse",)))
+        thread.join()
+        held[0].close()
 
 
 def test_a_scheduler_that_dies_ends_the_run_which_goes_on_later(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty
+from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty, stopped
 from tests.running import run
 
 pytestmark = pytest.mark.processes
@@ -29,6 +29,10 @@ def processes_with(word: str) -> list[int]:
             except OSError:
                 continue
     return found
+
+
+def test_a_run_that_is_stopped_waits_for_no_program(tmp_path: Path) -> None:
+    assert stopped(tmp_path) == "2 1 1 False"
 
 
 def test_a_program_that_crashes_hangs_or_grows_is_a_row(tmp_path: Path) -> None:

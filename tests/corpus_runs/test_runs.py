@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -157,28 +158,32 @@ def test_programs_of_a_clone_and_of_a_bare_repository(tmp_path: Path) -> None:
         f'[[programs]]\ngit = "work"\nrevision = "{commit[:8]}"\nglob = "programs/*.c"\n[[programs]]\ngit = "bare.git"\n',
         encoding="utf-8",
     )
-    outcome = corpus_run(spec, out)
+    outcome = corpus_run(spec, out, "--models")
     assert outcome.code == 0
     found = {row[0]: row[1:] for row in rows(out, "SELECT id, repository, revision FROM programs")}
     assert set(found) == {  # without a pattern, each source file with main
         "work/programs/blink.c", "work/programs/wheels.c", "bare.git/programs/wheels.c", "bare.git/programs/sub/badge.c",
     }  # fmt: skip
     assert found["work/programs/blink.c"] == (str(tmp_path / "work"), commit)
-    assert corpus_run(spec, out).result["run"] == 0
+    assert corpus_run(spec, out, "--models").result["run"] == 0
     (tmp_path / "work" / "programs" / "speeds.h").write_text("#define FORWARD 32\n", encoding="utf-8")
     git(tmp_path / "work", "commit", "-q", "-a", "-m", "third")
     git(tmp_path / "work", "push", "-q", "../bare.git", "HEAD")
     new = git(tmp_path / "work", "rev-parse", "HEAD")
-    later = corpus_run(spec, out).result
+    later = corpus_run(spec, out, "--models").result
     assert later | {"run": 1, "unchanged": 3, "done": 4} == later  # wheels.c of the branch includes speeds.h
     assert set(rows(out, "SELECT revision FROM programs WHERE id LIKE 'bare%'")) == {(new,)}
     assert {path.name.split("-")[-1] for path in (out / "sources").iterdir()} == {commit[:12], new[:12]}
     for table in ("programs", "calls", "files"):
         below = f"SELECT path FROM {table} WHERE path LIKE '%/sources/%'" + " AND digest <> ''" * (table == "files")
         assert all(Path(path).exists() for (path,) in rows(out, below)), table
-    assert corpus_run(spec, out).result["run"] == 0
+    for (model,) in rows(out, "SELECT path FROM models"):
+        text = (out / model).read_text(encoding="utf-8")
+        assert (named := re.findall(r'="([^"]*/sources/[^"]*)"', text))
+        assert all(map(os.path.exists, named))
+    assert corpus_run(spec, out, "--models").result["run"] == 0
     os.rename(tmp_path / "bare.git", tmp_path / "elsewhere")
-    gone = corpus_run(spec, out)
+    gone = corpus_run(spec, out, "--models")
     assert gone.code == 0
     assert gone.result | {"skipped": 1, "run": 0, "done": 2, "no_longer_listed": 2} == gone.result
     assert "RS921" in gone.rules()

@@ -10,8 +10,9 @@ import robosmi
 from robosmi.corpus.jobs import Limits
 from robosmi.corpus.programs import program_sources
 from robosmi.corpus.spec import checked_steps, read_spec
+from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
-from tests.corpus_runs.running_corpora import copied
+from tests.corpus_runs.running_corpora import copied, run_here
 
 WRONG = {
     "": "names no programs",
@@ -58,6 +59,23 @@ def test_a_key_or_value_that_means_nothing_is_refused(text: str, tmp_path: Path)
     assert WRONG[text] in refused.value.message
     assert refused.value.location is not None
     assert refused.value.fix
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[[programs]]\nfolder = '.'\n[migrate]\ntarget = 'unoo'", "[migrate]: unknown target 'unoo' (did you mean 'uno'?)"),
+        ("[[programs]]\nfolder = '.'\nmigrate = {from = 'meega'}", "migrate of [[programs]] number 1: unknown target 'meega'"),
+        ("[[programs]]\nfolder = '.'\n[migrate]\nsource_platform = 'basic'", "[migrate]: there is no 'basic/platform.toml'"),
+    ],
+)
+def test_a_setting_that_names_what_is_unknown_is_refused_before_a_program_is_run(text: str, said: str, tmp_path: Path) -> None:
+    spec = copied(tmp_path)
+    spec.write_text(text, encoding="utf-8")
+    with pytest.raises(SourceError) as refused:
+        run_here(spec, tmp_path / "out", lambda job: pytest.fail(f"{job.work.id} is run"))
+    assert said in refused.value.message
+    assert refused.value.location == Location(str(spec))
 
 
 def test_a_specification_that_is_not_there(tmp_path: Path) -> None:

@@ -35,6 +35,10 @@ THREATS = """\
   Eclipse EMF, compilers and simulators of others judge the results, and planted faults the judge (H5). The authors of the rules
   have seen the labels here; on as many programs that they had not seen, the share of calls with a body was .695 instead of .699.
 - **External.** The corpus has one vendor's examples and eight users' programs, for one board. Nothing was run on a real robot.
+  G2 is a sample: over all 162 programs 1,086 of the 1,453 calls that an Uno can serve have a body in plain C (.747). What lacks
+  one is most of all abdrive360, servo360, pwm2ch, lis3dh, bme680, SD cards, ws2812, and cores, which need the Arduino target.
+- **Listing 1 as printed** waits with `waitcnt(230)` for a number of the counter, which comes round every 53.7 s; the sketch goes
+  on at once, and `verify` says DIFFERENT. With `CNT + 230`, as in our line follower, there is no difference (E3).
 - **Conclusion.** Ranks are over draws from our collection of libraries, not the paper's; ranges show how much they depend on the
   draw.
 

@@ -32,6 +32,7 @@ from robosmi.transformations.chains.stages.ports import ports as program_ports
 from robosmi.transformations.chains.stages.program import ProgramFiles, StoredProgram, program_files
 from robosmi.transformations.chains.stages.reading import platform_of_files
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, pin_uses_of
 from robosmi.transformations.queries.plans.plan import header_name
@@ -124,6 +125,22 @@ def _included(sources: Sequence[str], include_dirs: Sequence[str]) -> Iterator[s
                         seen.add(place)
                         waiting.append(place)
                     break
+
+
+def check_settings(settings: Mapping[str, str]) -> None:
+    """Look up what the settings of a specification name, before any program is run with them.
+
+    Args:
+        settings: `target`, `from`, `source_platform` ...
+
+    Raises:
+        RobosmiError: there is no such target, board or platform.
+    """
+    if (platform := settings.get("source_platform")) is not None:
+        ApiIndex.load(platform)
+    for key in ("target", "from"):
+        if (name := settings.get(key)) is not None:
+            target_facts(name)
 
 
 def _project(work: ProgramWork) -> Project:

@@ -11,6 +11,7 @@ it points to count as one thing, as do the elements of an array.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
+from functools import cached_property
 from typing import Any
 
 from msgspec import Struct
@@ -43,11 +44,16 @@ class PortMasks:
     """
 
     def __init__(self, views: Sequence[CodeView]) -> None:
-        self.given = GivenValues(views)
+        self._views = views
         self._values = {id(v.unit): Values(v.program, v.unit) for v in views}
         self._reached = {id(v.unit): ReachedValues(v.program, v.unit) for v in views}
         self._bits = FixedPoints(0)
         self._numbers: FixedPoints[frozenset[int]] = FixedPoints(frozenset())
+
+    @cached_property
+    def given(self) -> GivenValues:
+        """What gives the program's things their values, read when a mask is asked for: most programs have none."""
+        return GivenValues(self._views)
 
     def values(self, expression: Element | None) -> list[Value]:
         """The values of an expression as `Values` reads them in its unit."""
