@@ -41,6 +41,7 @@ from robosmi.verify.traces.activity import (
     console_lines,
     merged,
     text_lines,
+    with_joined_tones,
 )
 from robosmi.verify.traces.alignment import numbers_of, shape_of, with_vague_widths
 from robosmi.verify.traces.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
@@ -242,6 +243,8 @@ def compared(
     pairs = list(zip(source, target, strict=True))
     clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
     for (own, *varied), theirs in clear[:1] or pairs:
+        if any(event.kind == WAVE and event.pulses for event in theirs):
+            own, *varied = (with_joined_tones(events, 1000 * horizon_ms) for events in (own, *varied))
         result = compare(channel, with_vague_widths(own, varied[:_SCALED]), theirs, varied, horizon_ms, loop)
         if result.status in (SAME, NOT_EXERCISED):
             return result

@@ -16,7 +16,17 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.verify.simulation import ConsoleByte, PinTrace
-from robosmi.verify.traces.pulses import FEWEST, SERVO_PERIOD_US, SERVO_WIDTH_US, Pulse, pulses_of, same_wave, wave_parts
+from robosmi.verify.traces.pulses import (
+    FEWEST,
+    NOTE,
+    SERVO_PERIOD_US,
+    SERVO_WIDTH_US,
+    TONE_DUTY,
+    Pulse,
+    pulses_of,
+    same_wave,
+    wave_parts,
+)
 from robosmi.verify.traces.servo_widths import servo_widths
 
 LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
@@ -167,6 +177,39 @@ def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
         if not kept or (event.kind, event.value) != (kept[-1].kind, kept[-1].value):
             kept.append(event)
     return kept
+
+
+def with_joined_tones(events: Sequence[ActivityEvent], until_us: float) -> list[ActivityEvent]:
+    """The events with a timer's tones that follow each other at less than the distance of two notes as one tone.
+
+    Edges do not tell such tones apart (`wave_parts`), so the events are compared in this form with tones that consist of edges.
+    The joined tone has the mean frequency, as that of edges has.
+
+    Args:
+        events: those of one channel, in order of time.
+        until_us: the time of the run's end.
+    """
+    tones: list[list[tuple[ActivityEvent, float]]] = []
+    for event, end_us in zip(events, [*(after.at_us for after in events[1:]), until_us], strict=True):
+        if not tones or not _is_same_note(tones[-1][-1][0], event):
+            tones.append([])
+        tones[-1].append((event, end_us - event.at_us))
+    joined: list[ActivityEvent] = []
+    for (first, us), *others in tones:
+        if others:
+            turns = sum(float(event.value[0]) * lasts for event, lasts in [(first, us), *others])
+            first = replace(first, value=(turns / (us + sum(lasts for _, lasts in others)), first.value[1]))
+        joined.append(first)
+    return joined
+
+
+def _is_same_note(tone: ActivityEvent, after: ActivityEvent) -> bool:
+    """Whether two events are tones of a timer that are no two notes."""
+    if not all(event.kind == WAVE and not event.pulses for event in (tone, after)):
+        return False
+    (hz, duty), (other_hz, other_duty) = ((float(event.value[0]), float(event.value[1])) for event in (tone, after))
+    tones = all(TONE_DUTY[0] <= each <= TONE_DUTY[1] for each in (duty, other_duty))
+    return tones and abs(other_hz - hz) <= NOTE * hz
 
 
 def _run(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:

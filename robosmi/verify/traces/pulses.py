@@ -16,7 +16,7 @@ from robosmi.verify.simulation import PinTrace
 FEWEST = 4
 """Minimum number of pulses of a wave or burst; fewer are plain levels."""
 _AHEAD = 8
-_NOTE = 0.04
+NOTE = 0.04
 """Least relative difference of the periods of two notes; a semitone is 5.9 %."""
 _STEADY = 1.3
 """Nearly all periods of a wave are within this factor of the usual one."""
@@ -274,7 +274,7 @@ def _one_pitch_until(periods: list[float], first: int, last: int) -> int:
         if abs(periods[number + 1] - periods[number - 1]) <= _PITCH * periods[number - 1]:
             continue
         before, after = periods[number - _AHEAD : number], periods[number + 1 : number + 1 + _AHEAD]
-        if _is_even(before) and _is_even(after) and abs(median(after) - median(before)) > _NOTE * median(before):
+        if _is_even(before) and _is_even(after) and abs(median(after) - median(before)) > NOTE * median(before):
             return number
     return last
 
