@@ -107,7 +107,8 @@ def name_commit(file: Path, before: str, after: str) -> None:
         before, after: the folders.
     """
     data = inputs.read_bytes(file, inputs.MODEL)
-    changed = data.replace(*(f"{_LAID.findall(os.path.basename(folder))[-1]}/".encode() for folder in (before, after)))
+    old, new = (f"{_LAID.findall(os.path.basename(folder))[-1]}/".encode() for folder in (before, after))
+    changed = data.replace(old, new)
     if changed != data:
         write_atomic(file, changed)
 

@@ -67,7 +67,7 @@ print(run.summary.programs, run.summary.done, len(run), run.running)
 def stopped(folder: Path, *scheduler: str) -> str:
     """What is said about a run from Python that is stopped while its second program hangs, for whose end nobody could wait."""
     spec = faulty(folder / "all", limits="seconds = 3600", a="good", b="hang")
-    words = [sys.executable, "-c", STOPPED, spec, folder / "out", *scheduler]
+    words = [sys.executable, "-c", STOPPED, str(spec), str(folder / "out"), *scheduler]
     done = subprocess.run(words, capture_output=True, text=True, env=environment(), check=False, timeout=90)
     assert not done.stderr
     return done.stdout.strip()

@@ -242,9 +242,9 @@ def compared(
         loop = replace(loop, rests=True)
     pairs = list(zip(source, target, strict=True))
     clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
-    for (own, *varied), theirs in clear[:1] or pairs:
-        if any(event.kind == WAVE and event.pulses for event in theirs):
-            own, *varied = (with_joined_tones(events, 1000 * horizon_ms) for events in (own, *varied))
+    for runs, theirs in clear[:1] or pairs:
+        by_edges = any(event.kind == WAVE and event.pulses for event in theirs)
+        own, *varied = [with_joined_tones(events, 1000 * horizon_ms) for events in runs] if by_edges else runs
         result = compare(channel, with_vague_widths(own, varied[:_SCALED]), theirs, varied, horizon_ms, loop)
         if result.status in (SAME, NOT_EXERCISED):
             return result

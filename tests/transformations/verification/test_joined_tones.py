@@ -34,7 +34,10 @@ def status(source: list[ActivityEvent], target: list[ActivityEvent]) -> str:
 def test_tones_that_edges_do_not_tell_apart(
     source: list[tuple[float, ...]], target: list[tuple[float, ...]], expected: str
 ) -> None:
-    assert status([tone(*each) for each in source], [tone(each[0], each[1], int(sum(each[2:]))) for each in target]) == expected
+    assert (
+        status([tone(each[0], each[1]) for each in source], [tone(each[0], each[1], int(sum(each[2:]))) for each in target])
+        == expected
+    )
 
 
 def test_parts_of_the_power_are_no_tones() -> None:

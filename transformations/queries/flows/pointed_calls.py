@@ -152,10 +152,10 @@ def _member(member: ccode.Field) -> Hashable:
 def called_lambdas(call: ccode.Call) -> tuple[list[ccode.Lambda], bool]:
     """The lambdas that a call may run and whose calls are all known, and whether it runs nothing else.
 
-    The variable or parameter that is called has them.
+    The variable or parameter that is called has them, or the call itself.
     """
     holder = _named(call.calleeExpression)
-    given: list[ccode.Expression | None] = []
+    given: list[ccode.Expression | None] = [call.calleeExpression] if isinstance(call.calleeExpression, ccode.Lambda) else []
     if isinstance(holder, ccode.Variable):
         given = [holder.initializer]
     elif isinstance(holder, ccode.Parameter):
