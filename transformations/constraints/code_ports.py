@@ -14,6 +14,7 @@ from robosmi.transformations.constraints.code_move import in_lines, move, moved,
 from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, names_its_ports, negative_uses_of, pin_uses_of
 from robosmi.transformations.queries.flows.pointed_calls import called_name
 from robosmi.transformations.queries.flows.pointers import pointed_functions
+from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.waiting_calls import lacks_pin
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
@@ -118,3 +119,33 @@ def PointersTellNumbersApart(u: ccode.SourceUnit) -> bool | Fail:
     names = ", ".join(dict.fromkeys(f"'{reference.name}'" for reference in here))
     wrong = f"a pointer may call {names} with numbers of the source, which are other pins on the target"
     return not here or Fail(f"{wrong} ({in_lines(here)})", places=tuple(here))
+
+
+@units.constraint(
+    id="RS350", severity=Severity.warning, location=place,
+    advice="use the register by its name, in a function of the program if several places need it",
+)  # fmt: skip
+def PortRegistersHaveNoAddress(u: ccode.SourceUnit) -> bool | Fail:
+    """No pointer or cast reaches the object that stands for a register of ports on the target, since that drives no pin.
+
+    A target programmed in C has a number in memory instead, whose changes reach the pins.
+    """
+    m = the_move()
+    view = m.view(u)
+    if retains_platform(m.plan) or target_of(m.plan).language == "C":
+        return True
+    names = set(view.api.settings.get("ports", {}).get("registers", {})) - {str(macro.name) for macro in u.macros}
+    uses = [r for r in view.of_kind(ccode.NameReference) if r.name in names and _by_address(r)]
+    own = (ccode.Variable, ccode.Parameter)
+    here = [use for use in uses if not isinstance(use.target, own)]
+    shown = ", ".join(dict.fromkeys(f"'{use.name}'" for use in here))
+    wrong = f"the program uses {shown} through its address, where the target has no pins ({in_lines(here)})"
+    return not here or Fail(wrong, places=tuple(here))
+
+
+def _by_address(reference: ccode.NameReference) -> bool:
+    """Whether an expression takes the address of a name, or makes it a reference to another type."""
+    outer = reference.eContainer()
+    if isinstance(outer, ccode.Cast):
+        return outer.target is not None and str(outer.target.spelling).rstrip().endswith("&")
+    return isinstance(outer, ccode.Unary) and str(outer.operator) == "&"

@@ -32,7 +32,7 @@ No microcontroller has the memory for such a variable.
 """
 _MOST = 10
 """Limit on the reported lines of a program that changes its platform; of any other one, each line is a task."""
-_TOLD_BEFORE = frozenset({"RS101", "RS312"})
+_TOLD_BEFORE = frozenset({"RS101", "RS312", "RS350"})
 
 
 def parsed_program(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> GeneratedProgram:

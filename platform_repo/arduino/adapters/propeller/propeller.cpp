@@ -118,6 +118,7 @@ inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
 //#   stack: 30 16
 const struct {
   operator uint32_t() const { return read_ports(&Io::high, ~0UL); }
+  void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(&Io::high, (uint32_t)mask); }
 } INA = {};
 
@@ -135,6 +136,7 @@ struct PortRegister {
 
   uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? &Io::driven : &Io::latch, mask); }
   operator uint32_t() const { return bits(); }
+  void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
   const PortRegister &change(uint32_t mask, uint32_t value, bool flips = false) const {
     for (uint8_t first = 0; mask; first += 8, mask >>= 8, value >>= 8) {

@@ -45,9 +45,26 @@ def test_names_of_headers_that_are_not_there_are_not_told() -> None:
 #include <Other.h>
 Thing thing = thing_of(LED_BUILTIN);
 void setup() { clock_t start = clock(), now; now = start; Serial.begin(9600); thing.turn((Kind *)start, F("a")); }
-void loop() { PORTB |= _BV(3); digitalWrite(3, HIGH); int32_t x = (FILE *)0 == stdout; }
+void loop() { PORTB |= _BV(3); Stream &line = Serial; Print &out = Serial; Kind &kind = Things[0];
+  digitalWrite(3, HIGH); int32_t x = (FILE *)0 == stdout; }
 """
     assert compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h")) == []
+
+
+def test_pointers_and_references_to_what_stands_for_a_register_are_told() -> None:
+    sketch = b"""#define PLACE(name) &name
+struct Register { operator int() const; void operator&() const = delete; };
+const Register OUTPUTS = {};
+void setup() {
+  int *place = (int *)&OUTPUTS;
+  place = PLACE(OUTPUTS);
+  volatile int &same = OUTPUTS;
+  auto &itself = OUTPUTS;
+}
+void loop() { PLACE(OUTPUTS; }
+"""
+    lines = [each.line for each in compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h"))]
+    assert lines == [5, 6, 7, 10]
 
 
 def test_a_function_that_the_program_defines_below_its_use_is_told() -> None:

@@ -34,7 +34,9 @@ _SURE = re.compile(
     |non-void\ function\ {_NAMED}\ should\ return
     |called\ object\ type\ {_NAMED}\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
     |.*\ (?:is|are)\ (?:a\ )?C\+\+17\ extensions?
-    |conversion\ from\ {_NAMED}\ to\ {_NAMED}\ is\ not\ allowed""",
+    |conversion\ from\ {_NAMED}\ to\ {_NAMED}\ is\ not\ allowed
+    |overload\ resolution\ selected\ deleted\ operator|unterminated\ function-like\ macro\ invocation
+    |(?:non-const|volatile)\ lvalue\ reference\ to\ type\ {_NAMED}\ cannot\ bind\ to\ a\ value\ of\ unrelated\ type""",
     re.VERBOSE,
 )
 """Matches errors that are about the program itself, not about a missing header."""
