@@ -177,7 +177,7 @@ def stored(folder: Path, what: str) -> str:
 
 
 def note_place(folder: Path) -> None:
-    """Note where a folder is, so that what is kept of it is found after it was moved (`stored_before_move`).
+    """Note where a folder is, so that what is kept of it is found after it was moved (`stored_of`).
 
     Raises:
         SourceError: there is no place for the note.
@@ -185,19 +185,23 @@ def note_place(folder: Path) -> None:
     _store(_place(_identity(os.stat(folder)).decode(), "folder"), os.path.realpath(folder))
 
 
-def stored_before_move(folder: Path, what: str) -> str:
-    """What `store` kept of a folder at its former place, from where it was moved: nothing is there any more.
+def stored_of(folder: Path, what: str) -> str:
+    """What `store` kept of an output folder where the last run was at work in it, from where it may have been moved.
 
-    The number that the file system gives a folder stays when it is moved, and not when it is copied or sent.
+    The number that the file system gives a folder stays when it is moved, and not when it is copied or sent. What is kept for
+    the folder's present place may be older than that, if the folder was here before, too, or of another folder.
 
     Raises:
-        OSError: nothing was kept by this user, the folder was not moved, or it cannot be read.
+        OSError: nothing was kept by this user, something else is where the folder was, or it cannot be read.
         ValueError: it is no text.
     """
-    former = read_own(_place(_identity(os.stat(folder)).decode(), "folder"), RECORD).decode()
-    if os.path.lexists(former):
-        raise FileNotFoundError(former)
-    return stored(Path(former), what)
+    try:
+        place = Path(read_own(_place(_identity(os.stat(folder)).decode(), "folder"), RECORD).decode())
+    except OSError:  # an undo has removed the folder, or no run has noted its place
+        return stored(folder, what)
+    if os.path.lexists(place) and not os.path.samefile(place, folder):
+        raise FileNotFoundError(place)
+    return stored(place, what)
 
 
 def discard(folder: Path, what: str) -> None:

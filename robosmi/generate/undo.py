@@ -26,7 +26,7 @@ from robosmi.files.commit import update
 from robosmi.files.external_files import ExternalFiles, changes as file_changes
 from robosmi.files.files import digest, within
 from robosmi.files.recovery import at_work
-from robosmi.files.run_lock import STATE, note_place, place_of, stored, stored_before_move
+from robosmi.files.run_lock import STATE, note_place, place_of, stored_of
 from robosmi.generate.manifest import NAME as MANIFEST, Manifest
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
@@ -119,7 +119,7 @@ def save_previous(
         state["outside"] = elsewhere
     if undone is not None:
         state = undone.opposite(state)
-    elif not amending:
+    elif not amending and places.look(MANIFEST) is not None:  # without one, records are of another folder that was here
         state["earlier"] = _kept(_runs(_records(folder)))
     if amending:
         amended = _amended(folder, files, before)
@@ -136,7 +136,7 @@ def _amended(folder: Path, files: Mapping[str, list[str | None]], before: Mappin
     A file that a person has changed since the last run keeps its entry, so that `undo` still stops before the edit is lost.
     """
     try:
-        known = as_table(json_of(_record(folder)))
+        known = as_table(json_of(stored_of(folder, STATE)))
         listed = as_table(known["files"])
         merged = {**listed}
         for name, entry in files.items():
@@ -159,7 +159,7 @@ def _now() -> str:
 def _records(folder: Path) -> list[Record]:
     """The records of a folder, the last one first; none where it has none, or a damaged one."""
     try:
-        last = as_table(json_of(_record(folder)))
+        last = as_table(json_of(stored_of(folder, STATE)))
         return [last, *(as_table(each) for each in as_list(last.get("earlier", [])))]
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return []
@@ -321,19 +321,6 @@ def undo(folder: Path, count: int | None = None, *, staying: str = "") -> Undone
     return Undone([*_shown(contents), *restored], [*_shown(removed), *gone], undoing.names())
 
 
-def _record(folder: Path) -> str:
-    """The record of a folder, which may have been moved.
-
-    Raises:
-        OSError: there is none.
-        ValueError: it is no text.
-    """
-    try:
-        return stored(folder, STATE)
-    except FileNotFoundError:
-        return stored_before_move(folder, STATE)
-
-
 def _bytes(path: Path, kind: Kind = SETTINGS) -> bytes | None:
     try:
         return read_bytes(path, kind, follow=False)
@@ -370,7 +357,7 @@ def _read(folder: Path, undoing: Undoing) -> tuple[dict[str, bytes | None], dict
         fix="generate the sketch again with migrate or generate",
     )  # fmt: skip
     try:
-        as_table(as_table(json_of(_record(folder)))["files"])
+        as_table(as_table(json_of(stored_of(folder, STATE)))["files"])
         if not undoing.taken:
             raise damaged
         known = undoing.merged()

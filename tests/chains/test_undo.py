@@ -131,6 +131,36 @@ def test_a_folder_that_was_moved_has_its_way_back(twice: tuple[dict[str, str], d
     assert tree(tmp_path / "again" / "moved") == first
 
 
+def test_a_folder_that_was_undone_elsewhere_and_moved_back_goes_on_from_there(
+    twice: tuple[dict[str, str], dict[str, str], Path], program: Path, tmp_path: Path
+) -> None:
+    first, second, out = twice
+    moved = tmp_path / "moved"
+    out.rename(moved)
+    undo(moved)
+    moved.rename(out)
+    assert [step.number for step in steps(out)] == [0, 1]
+    undo(out)
+    assert tree(out) == second
+    undo(out)
+    out.rename(moved)
+    program.write_text(FIRST.replace("high(3)", "low(9)"))
+    robosmi.migrate([program], moved)
+    moved.rename(out)
+    assert [step.number for step in steps(out)] == [1, 2]
+    undo(out)
+    assert tree(out) == first
+
+
+def test_a_new_folder_has_no_steps_of_one_that_was_in_its_place(
+    twice: tuple[dict[str, str], dict[str, str], Path], program: Path
+) -> None:
+    _, _, out = twice
+    shutil.rmtree(out)
+    robosmi.migrate([program], out)
+    assert [step.number for step in steps(out)] == [1]
+
+
 def test_the_first_run_into_a_folder_that_was_moved_is_undone(program: Path, tmp_path: Path) -> None:
     robosmi.migrate([program], tmp_path / "out")
     (tmp_path / "out").rename(tmp_path / "moved")

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import partial
 
 from robosmi.metamodels import hardware
-from robosmi.transformations.constraints.electrical_supply import wiring_of
+from robosmi.transformations.constraints.electrical_supply import of_table, wiring_of
 from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.queries.circuits.electrical import Role, Wiring, listed, who
 from robosmi.validate import EVL, Fail
@@ -39,6 +39,21 @@ def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
         bare = len({net for _, net, stiff in ends if stiff}) > 1
     kind = w.facts(c).kind
     return not bare or fault(c, f"no resistor in series limits the current of the {kind} '{who(c)}'")
+
+
+@devices.critique(
+    id="RS273", info=True, location=drawing,
+    advice="add a resistor of 220 to 470 ohms in series if there is none, and name it in the table's column 'through'",
+    guard=lambda c: of_table(c) and wiring_of(c).facts(c).series_resistor,
+)  # fmt: skip
+def ResistorIsNamed(c: hardware.Component) -> bool | Fail:
+    """A pin table names the resistor of an LED; without it, nobody knows whether there is one."""
+    w = wiring_of(c)
+    direct = [p.label for p in w.board_pins(c, through=False)]
+    if not direct or len(direct) < len(w.nets(c)) or CurrentIsLimited(c) is not True:
+        return True
+    kind = w.facts(c).kind
+    return fault(c, f"the table names no resistor for the {kind} '{who(c)}' on {listed(direct)}", pins=", ".join(direct))
 
 
 def _gives_current(w: Wiring, component: hardware.Component, net: hardware.Net) -> bool:

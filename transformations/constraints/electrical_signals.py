@@ -183,26 +183,45 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
     return True
 
 
-@devices.constraint(
-    id="RS258", location=drawing,
-    advice="feed the part with the board's own voltage if it works there, or lead the output through a level shifter or a "
-    "voltage divider: 10 kilo-ohms to the pin, 18 kilo-ohms from the pin to ground for 5 V on a pin for 3.3 V",
-)  # fmt: skip
+_FEED = "feed the part with the board's own voltage if it works there, or "
+_LEAD = (
+    "lead the output through a level shifter or a voltage divider: 10 kilo-ohms to the pin, 18 kilo-ohms from the pin to ground "
+    "for 5 V on a pin for 3.3 V"
+)
+
+
+def _divider(c: hardware.Component) -> str:
+    """The advice to lower the voltage of an output; in a table, what is there is named."""
+    cure = _LEAD if _least_volts(wiring_of(c), c) else _FEED + _LEAD
+    return f"{cure}; then name it in the table's column 'through'" if of_table(c) else cure
+
+
+@devices.constraint(id="RS258", location=drawing, advice=_divider)
 def IsBorneByThePin(c: hardware.Component) -> bool | Fail:
-    """No device puts a higher voltage on a pin than the pin bears."""
+    """No device puts a higher voltage on a pin than the pin bears.
+
+    A device whose supply is not known has at least the voltage that it needs.
+    """
     w = wiring_of(c)
     fed = w.fed_with(c)
+    given = fed or _least_volts(w, c)
     for p in w.board_pins(c, through=False):
         model = w.board_model(p.board)
         chip = model.microcontroller if model is not None else None
         bears = (p.pin.bearsVolts if p.pin is not None else 0.0) or (chip.pinVolts if chip is not None else 0.0)
-        if 0 < bears < fed and _reaches(w, c, p.connector):
-            return fault(
-                c,
-                f"{displayed_name(p.connector)} of '{who(c)}' gives up to {fed:g} V to {p.label}, which bears {bears:g} V",
-                volts=fed, most=bears, pin=p.label,
-            )  # fmt: skip
+        if 0 < bears < given and _reaches(w, c, p.connector):
+            name, most = displayed_name(p.connector) or "the output", f"{p.label}, which bears {bears:g} V"
+            message = f"{name} of '{who(c)}' gives up to {given:g} V to {most}"
+            if not fed:
+                message = f"'{who(c)}' needs a supply of {given:g} V or more, and {name} gives it to {most}"
+            return fault(c, message, volts=given, most=bears, pin=p.label)
     return True
+
+
+def _least_volts(w: Wiring, c: hardware.Component) -> float:
+    """The least voltage that a device needs, if what feeds it is not known; else 0."""
+    known = w.facts(c).volts
+    return known[0] if known is not None and not w.fed_with(c) else 0.0
 
 
 def _reaches(w: Wiring, c: hardware.Component, connector: hardware.Connector) -> bool:
@@ -212,6 +231,8 @@ def _reaches(w: Wiring, c: hardware.Component, connector: hardware.Connector) ->
     facts = w.facts(c)
     if facts.output == "contact" or w.means(connector, "output") or _gives(connector.name):
         return True
+    if c.role is Role.Input and of_table(c) and not connector.name.strip():
+        return True  # a table need not name the one wire of a sensor
     if "*" in facts.analog or connector.name.strip().lower() in facts.analog or w.means(connector, "analog"):
         return True
     on_bus = w.means(connector, "sda") or w.means(connector, "scl")

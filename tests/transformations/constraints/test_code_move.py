@@ -134,5 +134,5 @@ def test_the_levels_are_the_documented_ones() -> None:
     table = (Path(__file__).parents[3] / "docs" / "reference" / "rules.md").read_text(encoding="utf-8")
     for context in moved.contexts:
         for constraint in context.constraints:
-            (level,) = re.findall(rf"^\| {constraint.id} \| (\w+)(?:, \w+)* \|", table, re.MULTILINE)
-            assert constraint.severity.name == level
+            (levels,) = re.findall(rf"^\| {constraint.id} \| ([\w, ]+) \|", table, re.MULTILINE)
+            assert constraint.severity.name == levels.split(", ")[0]

@@ -40,8 +40,9 @@ OF_PLANS = [c for context in together.contexts for c in context.constraints]
 
 
 def example(name: str) -> Path:
-    """A drawing with an example: Fritzing's, or Wokwi's where Fritzing has no such board."""
-    return next(path for path in (DRAWINGS / f"{name}.fz", DRAWINGS / name / "diagram.json") if path.is_file())
+    """A drawing with an example: Fritzing's, or Wokwi's where Fritzing has no such board; a pin table for a rule on tables."""
+    places = (DRAWINGS / f"{name}.fz", DRAWINGS / name / "diagram.json", DRAWINGS / f"{name}.csv")
+    return next(path for path in places if path.is_file())
 
 
 def planned(folder: Path) -> list[Finding]:
@@ -51,7 +52,7 @@ def planned(folder: Path) -> list[Finding]:
 
 def test_every_constraint_has_its_two_examples_and_no_other() -> None:
     wanted = [f"{c.id}_{end}" for c in OF_DRAWINGS for end in ("fails", "holds")]
-    assert sorted(p.stem for p in DRAWINGS.glob("RS*") if p.is_dir() or p.suffix == ".fz") == sorted(wanted)
+    assert sorted(p.stem for p in DRAWINGS.glob("RS*") if p.is_dir() or p.suffix in (".fz", ".csv")) == sorted(wanted)
     wanted = [f"{c.id}_{end}" for c in OF_PLANS for end in ("fails", "holds")]
     assert sorted(p.name for p in PLANS.iterdir()) == sorted(wanted)
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.transformations.chains.hardware import hardware
 from tests.running import run
 
 FOLDER = Path(__file__).parent
@@ -26,6 +27,15 @@ def test_a_part_at_5_v_needs_a_divider_before_a_pin_for_less(drawing: str, part:
     assert [finding["evidence"]["pin"] for finding in found] == ([pin] if pin else [])
     assert all(part in finding["message"] for finding in found)
     assert outcome.code == (1 if pin else 0)
+
+
+@pytest.mark.parametrize(
+    ("table", "pin"), [("ranger", "GP3"), ("ranger_with_divider", ""), ("unnamed_wire", "GP26"), ("sensor_for_3_v", "")]
+)
+def test_a_table_without_voltages_has_what_is_known_of_its_parts(table: str, pin: str) -> None:
+    found = [f for f in hardware(FOLDER / "pin_voltage" / f"{table}.csv").findings if f.rule == "RS258"]
+    assert [finding.evidence["pin"] for finding in found] == ([pin] if pin else [])
+    assert all("'through'" in (finding.fix or "") and "needs a supply of 4.5 V" in finding.message for finding in found)
 
 
 def test_pins_of_5_v_boards_are_not_asked(tmp_path: Path) -> None:

@@ -64,7 +64,7 @@ def test_a_part_that_nothing_tells_of_is_a_finding(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("pin;part\nD3;Gizmo\nD4;LED\nD5;LED\n")
     done = hardware(path)
-    assert [f.rule for f in done.findings] == ["RS203", "RS220"]
+    assert [f.rule for f in done.findings] == ["RS203", "RS220", "RS273", "RS273"]
     assert done.findings[0].location is not None
     assert done.findings[0].location.line == 2
     assert [m["name"] for m in done.result["mappings"]] == ["GizmoReadP1", "LEDWriteP1", "LED2WriteP1"]
@@ -179,7 +179,7 @@ def test_a_board_that_nobody_knows_and_a_table_for_no_such_file(tmp_path: Path) 
 
 def test_a_pin_that_the_board_has_not(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
-    path.write_text("pin,part\nD99,LED\n")
+    path.write_text("pin,part,through\nD99,LED,R1\n")
     assert [f.rule for f in hardware(path).findings] == ["RS223"]
 
 
@@ -212,7 +212,7 @@ def test_the_level_at_which_a_relay_rests_is_in_a_table(ending: str, tmp_path: P
 
 def test_a_table_without_a_board_is_for_the_target_that_is_given(tmp_path: Path) -> None:
     table = tmp_path / "lamp.csv"
-    table.write_text("pin,part\nD30,Red LED\n")
+    table.write_text("pin,part,through\nD30,Red LED,R1\n")
     assert [b["module_id"] for b in hardware(table, target="mega").result["boards"]] == ["mega"]
     assert load_hardware(table, target="mega").components[0].boardName == "mega"
     assert [f.rule for f in hardware(table, target="mega").findings if "D30" in f.message] == []
