@@ -12,6 +12,7 @@ from typing import TypeAlias
 
 MOST_LEVELS = 1000
 """Limit on the objects and lists around a value, that of Jackson, which reads and writes JSON for EMF."""
+LESS_DEEP = "nest less deep; a model may be saved as XMI, which has no such limit"
 
 _TOKEN = re.compile(
     r"""(?P<space>[ \t\r\n]*)
@@ -26,11 +27,12 @@ _WORDS = {"true": True, "false": False, "null": None}
 
 
 class JsonError(ValueError):
-    """A text that is no JSON; `line` is where."""
+    """A text that is no JSON; `line` is where, `fix` what to do."""
 
-    def __init__(self, text: str, line: int) -> None:
+    def __init__(self, text: str, line: int, fix: str = "correct the file") -> None:
         super().__init__(text)
         self.line = line
+        self.fix = fix
 
 
 class NumberText(str):
@@ -123,7 +125,7 @@ class _Reader:
                     around.append(inside)
                     inside = value
                     if len(around) > MOST_LEVELS:
-                        raise JsonError(f"the text is nested more than {MOST_LEVELS} levels deep", self.line)
+                        raise JsonError(f"the text is nested more than {MOST_LEVELS} levels deep", self.line, LESS_DEEP)
                     continue
             while inside is not whole:
                 kind, token = self.next()

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from robosmi.base.located_json import MOST_LEVELS, LocatedJson, LocatedList, LocatedObject, NumberText
+from robosmi.base.located_json import LESS_DEEP, MOST_LEVELS, LocatedJson, LocatedList, LocatedObject, NumberText
 from robosmi.errors import MissingToolError
 
 if TYPE_CHECKING:
@@ -21,11 +21,12 @@ _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
 
 
 class YamlError(ValueError):
-    """A text that is no YAML, or not of this part of it; `line` is where."""
+    """A text that is no YAML, or not of this part of it; `line` is where, `fix` what to do."""
 
-    def __init__(self, text: str, line: int) -> None:
+    def __init__(self, text: str, line: int, fix: str = "correct the file") -> None:
         super().__init__(text)
         self.line = line
+        self.fix = fix
 
 
 def located_yaml(data: bytes) -> LocatedJson:
@@ -49,7 +50,10 @@ def located_yaml(data: bytes) -> LocatedJson:
             builder.take(event)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
-        raise YamlError(error.problem or "it cannot be read", mark.line + 1 if mark is not None else 1) from None
+        line, text = mark.line + 1 if mark is not None else 1, error.problem or "it cannot be read"
+        if "nesting" in text:  # libyaml has a limit of its own
+            raise YamlError(f"the text is nested too deep ({text})", line, LESS_DEEP) from None
+        raise YamlError(text, line) from None
     except yaml.reader.ReaderError as error:
         place = error.position if isinstance(error.position, int) else 0
         code = error.character if isinstance(error.character, int) else ord(error.character)
@@ -118,7 +122,7 @@ class _Builder:
             self.around.append(value)
             self.keys.append(None)
             if len(self.around) > MOST_LEVELS + 1:
-                raise YamlError(f"the text is nested more than {MOST_LEVELS} levels deep", line)
+                raise YamlError(f"the text is nested more than {MOST_LEVELS} levels deep", line, LESS_DEEP)
 
 
 def _scalar(event: ScalarEvent) -> LocatedJson:

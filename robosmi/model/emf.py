@@ -41,7 +41,7 @@ class EmfModel(TypedModel):
 
     Args:
         roots: its root element, or several.
-        metamodel: a `Metamodel`, EPackages, generated packages, or an .ecore file; the packages of the roots' classes if None.
+        metamodel: a `Metamodel`, EPackages, generated packages, or .ecore files; the packages of the roots' classes if None.
         name: what `M!Book` calls it.
         path: the file it was read from.
 
@@ -94,7 +94,7 @@ class EmfModel(TypedModel):
 
         Args:
             path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
-            metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None, which are known beside others.
+            metamodel: a `Metamodel`, packages, or .ecore files; the built-in metamodels if None, which are known beside others.
             name: what `M!Book` calls it; the file's name without its ending if None.
             strict: whether an element that lacks a required value or has too many, or a reference leading nowhere, is an error.
                 If not they are `findings` of the model, for `check` and constraints, and proxies stand for what is not there.

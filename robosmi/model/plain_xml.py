@@ -189,6 +189,7 @@ class XmlModel(Model):
         self._namespaces: dict[str | None, str] = {}
         self._taken_out: list[_Element] = []
         self._head: bytes | None = None
+        self._line_end = "\n"
         self._is_new = root is None  # what was read keeps its own layout
         self._created: list[_Element] = []
         self._wrapped: dict[_Element, XmlElement] = {}
@@ -214,6 +215,8 @@ class XmlModel(Model):
         start = root_offset(data, place)
         model = cls(read_tree(data, place, deep=start >= 0), name, path)
         model._head = data[:start] if start >= 0 else None
+        if 0 < data.count(b"\r\n") == data.count(b"\n"):
+            model._line_end = "\r\n"
         return model
 
     @classmethod
@@ -274,7 +277,8 @@ class XmlModel(Model):
         head = f'<?xml version="1.0" encoding="{self._encoding}"?>\n' if self._head is None else self._head.decode(self._encoding)
         nodes = [*(self._before if self._head is None else ()), self._root, *self._behind]
         parts = [str(etree.tostring(node, encoding="unicode", with_tail=False, pretty_print=self._is_new)) for node in nodes]
-        return "".join([head, "\n".join(part.rstrip("\n") for part in parts), "\n"]).encode(self._encoding, "xmlcharrefreplace")
+        body = "\n".join([*(part.rstrip("\n") for part in parts), ""]).replace("\n", self._line_end)
+        return f"{head}{body}".encode(self._encoding, "xmlcharrefreplace")
 
     # Types
 

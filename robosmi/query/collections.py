@@ -23,7 +23,8 @@ from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder, at_rest, grouped, reached, sorted_by
 from robosmi.query.items import Items, R, T
 from robosmi.query.maps import Entries, Fields, K, V
-from robosmi.query.problems import OperandError
+from robosmi.query.naming import snake
+from robosmi.query.problems import OperandError, UnknownOperationError
 from robosmi.query.types import AnyKind, matching, resolve
 from robosmi.query.values import INT_MAX, INT_MIN, EolType, Long, as_string, equal, flattened, is_number, position, unique
 
@@ -147,7 +148,8 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
     def __getattr__(self, name: str) -> Q[Any]:
         if name[0] == "_":  # protocols of Python, not properties
             raise AttributeError(name)
-        return self.get(name)
+        found, operation = self.get(name), snake(name)
+        return found if self._items or operation == name or not hasattr(Q, operation) else _NoValues(name, operation)
 
     def get(self, name: str, default: V = _MISSING) -> Q[Dynamic]:
         """A property of every item, also one whose name is an operation here.
@@ -302,6 +304,25 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
     def lazy(self) -> Lazy[T]:
         """A view whose operations evaluate an item only on demand; `Lazy` describes the differences."""
         return Lazy(self)
+
+
+class _NoValues(Q[Any]):
+    """What `q.notEmpty` gives where q is empty: no values, since a feature may have this name; a call says what to write."""
+
+    __slots__ = ("_asked",)
+
+    def __init__(self, name: str, operation: str) -> None:
+        super().__init__()
+        self._asked = (name, operation)
+
+    def __repr__(self) -> str:
+        return "Q([])"
+
+    def __call__(self, *_arguments: Any, **_options: Any) -> Never:
+        name, operation = self._asked
+        raise UnknownOperationError(
+            f"a collection has no operation '{name}' (did you mean '{operation}'?)", fix=f"write {operation}(...)"
+        )
 
 
 class Bag(Q[T]):

@@ -56,6 +56,8 @@ def test_with_conflicts_nothing_is_written(files: list[Path], tmp_path: Path) ->
     }  # fmt: skip
     (finding,) = done.document["findings"]
     assert (finding["rule"], finding["element"], finding["location"]["path"]) == ("RS660", conflict["element"], str(files[1]))
+    assert finding["location"]["line"] == 5
+    assert 'weight="5"' in files[1].read_text().splitlines()[4]
     text = run("merge", *files, "-o", files[1], *METAMODEL)
     assert (text.code, [path.read_bytes() for path in files]) == (1, before)
     assert "RS660" in text.out + text.err

@@ -183,6 +183,7 @@ def test_a_deep_text_is_refused_where_it_is_too_deep(levels: int, tmp_path: Path
     (finding,) = done.document["findings"]
     assert (done.code, finding["location"]["line"]) == (3, MOST_LEVELS + 1)
     assert str(MOST_LEVELS) in finding["message"]
+    assert "XMI" in finding["fix"]
 
 
 def test_a_deep_model_is_not_written_as_json_that_nobody_reads(tmp_path: Path) -> None:

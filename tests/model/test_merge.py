@@ -319,3 +319,29 @@ def test_an_item_that_both_replaced_is_noticed() -> None:
     assert replaced_twice("abc", "xbc", "ybc")
     assert not replaced_twice("abc", "xbc", "xbc")
     assert not replaced_twice("abc", "bc", "bcx")
+
+
+def test_a_conflict_has_the_line_of_its_element_in_the_first_file(tmp_path: Path) -> None:
+    """Counted by features and places: `nodes` and `edges` mixed, a comment, a tag of two lines, several tags on a line."""
+    text = """<g:Graph xmlns:g="http://example.org/g" name="{0}">
+<!-- --><groups name="a"/><groups name="b">
+<edges name="e"/>
+<nodes name="n" weight="{1}"/><nodes name="m"/><edges
+name="f"/>
+<nodes
+name="o" weight="{1}"/></groups></g:Graph>
+"""
+    files = [tmp_path / f"{name}.xmi" for name in ("base", "a", "b")]
+    for file, values in zip(files, (("r", 1), ("s", 2), ("t", 3)), strict=True):
+        file.write_text(text.format(*values))
+    found = robosmi.merge(*files, metamodel=SPLIT / "g.ecore")
+    lines = [
+        (each.feature, finding.location and finding.location.line)
+        for each, finding in zip(found.conflicts, found.findings, strict=True)
+    ]
+    assert sorted(lines) == [("name", 1), ("weight", 4), ("weight", 6)]
+
+
+def test_a_model_that_is_given_and_not_read_has_no_lines() -> None:
+    found = merged(lambda m: setattr(m.Node.all[0], "weight", 5), lambda m: setattr(m.Node.all[0], "weight", 7), which="graph")
+    assert [finding.location and finding.location.line for finding in found.findings] == [None]

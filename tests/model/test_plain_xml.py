@@ -138,6 +138,27 @@ def test_other_encodings_are_read_and_kept(encoding: str, tmp_path: Path) -> Non
     assert XmlModel.load(file).t_a.all[0].a_b == "ä"
 
 
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+def test_the_layout_of_a_file_stays(line_end: str) -> None:
+    text = """<?xml version='1.0' encoding="ISO-8859-1" standalone='yes'?>
+<!-- head --><?pi x?>
+<!DOCTYPE r>
+<r b="2" a="1" c="x&#10;y">
+  <!-- in -->
+  <a/>
+  <![CDATA[raw <x>]]>\t<n:c xmlns:n="u" n:q="1&gt;2">\xe4&#8364;</n:c>
+</r>
+<!-- tail -->
+"""
+    data = text.replace("\n", line_end).encode("latin-1")
+    assert XmlModel.parse(data).to_bytes() == data
+    odd = data.replace(b' a="1"', b"   a='1'").replace(b"<a/>", b"<a ></a>")  # only what is inside of a tag changes
+    model = XmlModel.parse(odd)
+    assert model.to_bytes() == data
+    model.t_a.all[0].a_n = "1"
+    assert model.to_bytes() == data.replace(b"<a/>", b'<a n="1"/>')
+
+
 BOMB = (
     b"<!DOCTYPE a ["
     + b"".join(b'<!ENTITY e%d "%s">' % (i, b"&e%d;" % (i - 1) * 10 if i else b"x" * 100) for i in range(12))

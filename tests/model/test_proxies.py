@@ -146,3 +146,28 @@ def test_check_and_query_say_what_is_odd(folder: Path) -> None:
     for command in (["check", *args], ["query", args[0], "Edge.all.name", *args[1:]]):
         done = run(*command, "--json").document
         assert [finding["rule"] for finding in done["findings"]] == ["RS609"], done
+
+
+def test_a_reference_to_nothing_in_its_own_file_is_to_be_corrected_there(folder: Path) -> None:
+    (folder / "ok.xmi").write_text(
+        (folder / "ok.xmi").read_text().replace('target="//@groups.0/@nodes.1"', 'target="//@nodes.9"')
+    )
+    (finding,) = opened(folder, "ok.xmi").findings
+    assert (finding.rule, finding.location and finding.location.line) == ("RS609", 6)
+    assert "correct the reference in this file" in str(finding.fix)
+
+
+@pytest.mark.parametrize(
+    ("link", "told"), [("//@groups.0", "it takes Node, not Group"), ("new.xmi#//@groups.0/@nodes.0", "not Node of '")]
+)
+def test_what_a_feature_takes_is_told_and_two_versions_by_their_namespaces(link: str, told: str, folder: Path) -> None:
+    """A neighbour of another version that refers back: classes of one name are told apart."""
+    text, target = (folder / "ok.xmi").read_text(), 'target="//@groups.0/@nodes.1"'
+    for version, file, back in (("/2", "new.xmi", "ok.xmi#//@groups.0/@nodes.0"), ("", "ok.xmi", link)):
+        edge = f'><target href="{back}"/></edges>' if "#" in back else f' target="{back}"/>'
+        (folder / file).write_text(text.replace(f" {target}/>", edge).replace("example.org/g", f"example.org/g{version}"))
+    (folder / "g2.ecore").write_text((folder / "g.ecore").read_text().replace("example.org/g", "example.org/g/2"))
+    with pytest.raises(ModelError, match="contradicts its metamodel") as refused:
+        open_model(folder / "ok.xmi", metamodel=[folder / "g.ecore", folder / "g2.ecore"])
+    assert told in str(refused.value)
+    assert "ok.xmi:6: Edge.target does not take <" in str(refused.value)

@@ -127,8 +127,9 @@ def test_a_fault_has_its_place_and_what_to_do(name: str) -> None:
 
 @pytest.mark.parametrize("text", ["- " * 10_000 + "x", "[" * 10_000 + "]" * 10_000, "{a: " * 10_000 + "1" + "}" * 10_000])
 def test_a_deep_text_is_refused(text: str) -> None:
-    with pytest.raises(YamlError):
+    with pytest.raises(YamlError) as refused:
         located_yaml(text.encode())
+    assert "XMI" in refused.value.fix
 
 
 def test_a_deep_model_is_written_as_deep_as_it_is_read(tmp_path: Path) -> None:

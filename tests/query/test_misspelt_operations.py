@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.errors import RobosmiError
+from robosmi.query import Q
 from robosmi.query.expression import evaluate
 from tests.library import library
 
@@ -27,3 +28,13 @@ def test_the_nearest_name_is_told(asked: str, told: str) -> None:
     with pytest.raises(RobosmiError) as refused:
         evaluate(asked, [library()])
     assert told in str(refused.value)
+
+
+@pytest.mark.parametrize("items", [Q([]), Q([]).as_set(), Q(["a"]).select(lambda _text: False)])
+def test_of_an_empty_collection_too(items: Q[str]) -> None:
+    with pytest.raises(RobosmiError, match="did you mean 'not_empty'") as refused:
+        items.notEmpty()
+    assert refused.value.fix == "write not_empty(...)"
+    with pytest.raises(RobosmiError, match="did you mean 'select_one'"):
+        items.selectOne(lambda _text: True)
+    assert repr(items.notEmpty) == "Q([])"  # a feature may have this name

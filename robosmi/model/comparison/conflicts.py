@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
 from typing import Literal, TypeAlias
+from xml.parsers import expat
 
 from msgspec import Struct
 
+from robosmi import inputs
 from robosmi.base.data_text import Json, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.model.comparison.facts import plain
 from robosmi.model.comparison.versions import BASE, A, B, ThreeModels, Versions
 from robosmi.model.elements.driver import label
+from robosmi.model.elements.ecore import EObject
+from robosmi.model.elements.pyecore_internals import key_of
+from robosmi.model.elements.structure import place_in
 from robosmi.model.xmi.xmi_layout import DETAILS, LINKS, Column
 
 CONFLICT = "RS660"
@@ -65,7 +73,7 @@ class Conflict(Struct, frozen=True):
         """The record as a finding.
 
         Args:
-            place: the file of the first model.
+            place: the file of the first model, and the element's line in it if it is known.
             take: the side that won; None for an error.
         """
         evidence = {"kind": self.kind, "feature": self.feature, "base": self.base, "a": self.a, "b": self.b}
@@ -84,6 +92,8 @@ class ConflictList:
 
     def __init__(self, three: ThreeModels) -> None:
         self.all: list[Conflict] = []
+        self.in_a: list[EObject | None] = []
+        """The element of each conflict as the first model has it; None if it was removed there."""
         self._three = three
 
     def differ(self, versions: Versions, column: Column) -> None:
@@ -127,6 +137,45 @@ class ConflictList:
         found = Conflict(kind, place, name, feature, base, a, b, label(element))
         if found not in self.all:
             self.all.append(found)
+            self.in_a.append(versions.elements[A])
+
+
+def lines_of(elements: Sequence[EObject | None], path: Path) -> list[int | None]:
+    """The line of each element in the XMI file with one root that its model was just read from; None where it is not found."""
+    ways = [None if each is None else _way(each) for each in elements]
+    wanted, found = set(ways), dict[tuple[str, ...], int]()
+    parser = expat.ParserCreate()
+    way: list[str] = []
+    counts: list[Counter[str]] = []
+
+    def start(tag: str, _attributes: dict[str, str]) -> None:
+        if counts:
+            way.append(f"{tag}.{counts[-1][tag]}")
+            counts[-1][tag] += 1
+        counts.append(Counter())
+        if (place := tuple(way)) in wanted and not (tag.endswith(":XMI") and not way):  # XMI is around several roots
+            found[place] = parser.CurrentLineNumber
+
+    def end(_tag: str) -> None:
+        counts.pop()
+        if counts:
+            way.pop()
+
+    parser.StartElementHandler, parser.EndElementHandler = start, end
+    with suppress(expat.ExpatError, LookupError, ValueError):
+        parser.Parse(inputs.read_bytes(path, inputs.MODEL), True)
+    return [None if way is None else found.get(way) for way in ways]
+
+
+def _way(element: EObject) -> tuple[str, ...]:
+    """The features from the root to an element with the places in them, as the tags of a file follow each other."""
+    steps: list[str] = []
+    while (container := element.eContainer()) is not None:
+        feature = element.eContainmentFeature()
+        place = place_in(getattr(container, key_of(feature)), element) if feature.many else 0
+        steps.append(f"{feature.name}.{place}")
+        element = container
+    return tuple(reversed(steps))
 
 
 def _text(value: Json) -> str:

@@ -13,7 +13,7 @@ from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import ModelError
 from robosmi.model.comparison.comparison import opened_models, refuse_others
-from robosmi.model.comparison.conflicts import ConflictList, Side
+from robosmi.model.comparison.conflicts import ConflictList, Side, lines_of
 from robosmi.model.comparison.merged_features import FeaturesMerge
 from robosmi.model.comparison.merged_model import MergeDecisions, merge_into
 from robosmi.model.comparison.merged_places import PlacesMerge
@@ -21,6 +21,7 @@ from robosmi.model.comparison.versions import A, B, ThreeModels
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Paths
+from robosmi.model.xmi.xmi_reader import FOREIGN
 
 _SIDES: Mapping[str | None, int | None] = {"a": A, "b": B, None: None}
 
@@ -33,6 +34,7 @@ class ModelMerge:
         a: the first; it becomes the merged model, unless there are conflicts and no side is to win them.
         b: the second.
         take: the side that wins the conflicts, if any.
+        is_as_read: whether `a` was just read from its file, so that conflicts have their lines in it.
 
     Attributes:
         conflicts: what both changed in different ways: removed elements, moved ones, contents, then values.
@@ -42,7 +44,7 @@ class ModelMerge:
         ModelError: the models are of different metamodels, or of copies of one.
     """
 
-    def __init__(self, base: EmfModel, a: EmfModel, b: EmfModel, take: Side | None = None) -> None:
+    def __init__(self, base: EmfModel, a: EmfModel, b: EmfModel, take: Side | None = None, *, is_as_read: bool = False) -> None:
         refuse_others(base, a)
         refuse_others(base, b)
         self._take = _SIDES[take]
@@ -53,8 +55,9 @@ class ModelMerge:
         PlacesMerge(self._three, conflicts, merged, self._take).decide()
         FeaturesMerge(self._three, conflicts, merged).decide()
         self.conflicts = conflicts.all
-        place = Location(str(a.path)) if a.path is not None else None
-        reported = [each.finding(place, take) for each in self.conflicts]
+        reported = [
+            each.finding(place, take) for each, place in zip(self.conflicts, _places(a, conflicts, is_as_read), strict=True)
+        ]
         self.findings: list[Finding] = [*base.findings, *a.findings, *b.findings, *reported]
         self._done = take is not None or not self.conflicts
         if self._done:
@@ -105,4 +108,13 @@ def merge(
         ModelError: a model contradicts its metamodel, they are of different ones, or one is no model of EMF.
     """
     first, second, third = opened_models((base, a, b), metamodel)
-    return ModelMerge(first, second, third, take)
+    return ModelMerge(first, second, third, take, is_as_read=not isinstance(a, Model))
+
+
+def _places(a: EmfModel, conflicts: ConflictList, is_as_read: bool) -> list[Location | None]:
+    """Where the first model has what is in conflict: file and line, of a model without a file nothing."""
+    if a.path is None:
+        return [None] * len(conflicts.all)
+    is_plain = is_as_read and not any(finding.rule == FOREIGN for finding in a.findings)  # else children would be miscounted
+    lines = lines_of(conflicts.in_a, a.path) if is_plain and conflicts.all else [None] * len(conflicts.all)
+    return [Location(str(a.path), line) for line in lines]

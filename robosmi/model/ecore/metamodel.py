@@ -26,7 +26,7 @@ from robosmi.model.elements.feature_errors import UnknownFeatureError, literal_e
 from robosmi.model.elements.pyecore_internals import is_element, is_static
 from robosmi.model.elements.strict import INTERNAL, Element
 
-Packages: TypeAlias = "Metamodels | Package | Iterable[Package]"
+Packages: TypeAlias = "Metamodels | Package | Iterable[Package] | Iterable[str | Path]"
 """What a metamodel may be given as."""
 
 
@@ -104,12 +104,17 @@ class Metamodel(Metamodels):
 
     @classmethod
     def of(cls, packages: Packages) -> Metamodel:
-        """Make a metamodel of the argument: a `Metamodel` (returned as it is), `Metamodels`, packages, or one package."""
+        """Make a metamodel of a `Metamodel` (returned as it is), `Metamodels`, a package or packages, or .ecore files."""
         if isinstance(packages, Metamodel):
             return packages
         if isinstance(packages, Metamodels):
             return cls(packages.packages)
-        return cls([packages] if isinstance(packages, (EPackage, ModuleType)) else packages)
+        if isinstance(packages, (EPackage, ModuleType)):
+            return cls([packages])
+        given = list(packages)
+        files = [each for each in given if isinstance(each, (str, Path))]
+        loaded = cls.load(*files).packages if files else []
+        return cls([*loaded, *(each for each in given if not isinstance(each, (str, Path)))])
 
     def classifiers(self) -> Iterator[tuple[str, EClassifier]]:
         """All classifiers of the packages and their sub-packages, with the packages' names before theirs (`library::Book`)."""

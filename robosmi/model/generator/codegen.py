@@ -263,7 +263,7 @@ def _class(cls: Class) -> Iterator[Problem]:
             yield Problem(
                 "a class inherits from one of Ecore's own", cls.location,
                 f"'{cls.path}' inherits from {base.package.name}.{base.name}, which pyecore keeps for metamodels",
-                "inherit from EObject, or from a class of your own",
+                "load the .ecore file instead: Metamodel.load; or inherit from EObject or a class of your own",
             )  # fmt: skip
     for feature in cls.features:
         kind = feature.classifier

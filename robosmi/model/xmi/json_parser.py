@@ -51,9 +51,9 @@ def parse_json(
     try:
         value = located_yaml(data) if is_yaml(path) else located_json(data)
     except JsonError as error:
-        raise Unreadable(f"not well-formed JSON: {error}", error.line, "correct the file") from None
+        raise Unreadable(f"not well-formed JSON: {error}", error.line, error.fix) from None
     except YamlError as error:
-        raise Unreadable(f"not YAML of the kind that models have: {error}", error.line, "correct the file") from None
+        raise Unreadable(f"not YAML of the kind that models have: {error}", error.line, error.fix) from None
     return _Parser(path, plans, package_of, problem, foreign).run(value)
 
 

@@ -97,7 +97,7 @@ class XmiLinker:
                     if target is None:
                         continue
                 if target.__class__ not in entry.accepted and not entry.takes(target.__class__):
-                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
+                    self._wrong(document, line, owner, entry, _not_taken(entry, target))
                     continue
                 self._set(document, line, owner, entry, target)
                 continue
@@ -107,7 +107,7 @@ class XmiLinker:
                 if target is None and (target := self.target(document, link, line, owner, entry)) is None:
                     continue
                 if target.__class__ not in entry.accepted and not entry.takes(target.__class__):
-                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
+                    self._wrong(document, line, owner, entry, _not_taken(entry, target))
                 else:
                     targets.append(target)
             self._add(document, line, owner, entry, targets)
@@ -234,7 +234,7 @@ class XmiLinker:
         if part is None:
             return
         if not entry.takes(part.__class__):
-            self._wrong(document, line, owner, entry, f"does not take {shown(part)}")
+            self._wrong(document, line, owner, entry, _not_taken(entry, part))
             return
         container: EObject | None = owner
         while container is not None:
@@ -335,3 +335,12 @@ def _by_name(element: EObject, name: str) -> EObject | None:
         parts.extend(getattr(element, feature, ()))
     texts = (name, unquote(name))
     return next((part for part in parts if part.name in texts), None)
+
+
+def _not_taken(entry: FeatureEntry, target: EObject) -> str:
+    """Why a target does not fit; classes of one name differ in their namespaces, as two versions of a metamodel do."""
+    expected, given = entry.declared, target.eClass
+    names = [str(expected.name), str(given.name)]
+    if names[0] == names[1]:
+        names = [f"{kind.name} of '{as_package(kind.ePackage).nsURI}'" for kind in (expected, given)]
+    return f"does not take {shown(target)}: it takes {names[0]}, not {names[1]}"

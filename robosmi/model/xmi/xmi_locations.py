@@ -95,9 +95,30 @@ class XmiLocations:
             Unplaced: it is nowhere.
             UnusableId: its id cannot be one.
         """
-        file, way = self._known.get(id(target)) or self._way(target)
+        known = self._known.get(id(target))
+        if known is None and (identified := self._by_id(target)) is not None:
+            return identified
+        file, way = known or self._way(target)
         identity = self.identity(target) if file and not isinstance(target, type) else None
         return file, way if identity is None or _ODD_ID.search(identity) else identity
+
+    def _by_id(self, target: EObject) -> tuple[str, str] | None:
+        """File and id of a target whose container has a known address, or None: a path that is not written is not built."""
+        if isinstance(target, (type, ecore.EModelElement)):
+            return None
+        container = container_of(target)
+        around = self._known.get(id(container))
+        if container is None or around is None:
+            return None
+        identity, feature = self.identity(target), containing_feature_of(target)
+        if identity is None or feature is None or _ODD_ID.search(identity):
+            return None
+        step = self._steps.get(feature) or self._step_of(feature)
+        slot = container.__dict__.get(step.key)
+        if not step.is_plain or slot is None:
+            return None
+        index, items = slot.map.get(target, -1), slot.items
+        return (around[0], identity) if 0 <= index < len(items) and items[index] is target else None
 
     def in_metamodel(self, element: EModelElement | type) -> tuple[str, str]:
         """File and fragment of an element of a metamodel: `//Class`, or `/1/Class` if the file has several packages.

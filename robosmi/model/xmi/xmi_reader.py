@@ -45,6 +45,7 @@ _SHOWN = 20
 _PLATFORM = re.compile("platform:/(?:resource|plugin)/(.+)")
 BOUNDS, UNRESOLVED, FOREIGN = "RS608", "RS609", "RS610"
 UNRESOLVED_FIX = "put the file at its place, or give the session its place or a hook: Session(uris=..., resolve=...)"
+_LOCAL_FIX = "correct the reference in this file, or give the session a hook: Session(resolve=...)"
 _SCHEME = re.compile("([A-Za-z][A-Za-z0-9+.-]*):")
 Problems = list[tuple[Location, str]]
 
@@ -427,7 +428,9 @@ class _Reader:
             return None
         kind = link.partition("#")[0] if "#" in link else ""
         if not unread:  # why its file was not read is told already
-            self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX)
+            self.odd.add(
+                UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX if kind else _LOCAL_FIX
+            )
         return self.proxy(document, link, entry)
 
     def preserve_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
