@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move
+from robosmi.transformations.queries.plans.port_pins import CONSOLE
 from robosmi.validate import Fail
 
 calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_ranges(c)))
@@ -58,8 +59,11 @@ _MOST = (1 << 31) - 1
 
 
 def _reaches(call: ccode.Call, pin: str, m: Move) -> bool:
-    """Whether a port of a call is bound to the target pin with this name."""
-    return any(pin in (b.pin.label, *b.pin.aliases) for b in _bindings(call, m) if b.pin is not None)
+    """Whether a port of a call is bound to the target pin with this name, or is the console, which needs no pin."""
+    bound = list(_bindings(call, m))
+    if any(b.choice == CONSOLE for b in bound):
+        return True
+    return any(pin in (b.pin.label, *b.pin.aliases) for b in bound if b.pin is not None)
 
 
 def _bindings(call: ccode.Call, m: Move) -> Iterator[migration.PortBinding]:

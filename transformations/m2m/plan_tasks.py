@@ -26,7 +26,7 @@ from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
 from robosmi.transformations.queries.plans.motors import pins_for_motors
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, bound_pin, source_name
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE, WITHOUT_PIN, bound_pin, source_name
 from robosmi.transformations.queries.plans.retained_pins import UNWIRED, ignores_unwired, lost_pin_calls, proposed
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.portability.analysed_program import DIFFERS
@@ -106,7 +106,7 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
         choice = referred(binding)
         if binding.connection is not None and binding.connection.pin is not binding.pin:
             binding.pin = binding.connection.pin
-        if binding.choice != NOT_WIRED or choice:
+        if binding.choice not in WITHOUT_PIN or choice:
             _settle(binding, choice)
             trace_binding(binding, links)
     for library in plan.libraryChoices:

@@ -16,7 +16,7 @@ from robosmi.project import Project
 from robosmi.query.run import Run
 from robosmi.transformations.chains.check import check
 from robosmi.transformations.chains.hardware import hardware
-from robosmi.transformations.chains.migrate import plan_migration
+from robosmi.transformations.chains.migrate import migrate, plan_migration
 from robosmi.transformations.constraints.electrical import electrical, electrical_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults, together
 from robosmi.transformations.constraints.plan_ports import port_faults
@@ -300,6 +300,21 @@ def test_the_serial_port_of_the_board_itself_needs_nothing_drawn(tmp_path: Path)
     plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv").plan
     assert sorted(b.choice for b in plan.portBindings if b.name in ("P30", "P31")) == ["D0", "D1"]
     assert "RS262" not in {f.rule for f in plan.findings}
+
+
+@pytest.mark.parametrize(("board", "pins"), [("pico", "254, 254"), ("nucleo-f401re", "254, 254"), ("esp32", "3, 1")])
+def test_the_console_is_usb_where_that_takes_no_pins(board: str, pins: str, tmp_path: Path) -> None:
+    """A regression: a Pico's console was bound to free pins, and silent."""
+    (tmp_path / "robot.c").write_text(
+        '#include "simpletools.h"\n#include "fdserial.h"\nint main(void) {\n'
+        "  fdserial *pc = fdserial_open(31, 30, 0, 115200);\n  fdserial_txChar(pc, 'a');\n}\n"
+    )
+    made = migrate([tmp_path / "robot.c"], tmp_path / "out", target=board)
+    plan = made.models.plan
+    assert not any(b.open for b in plan.portBindings)
+    assert not {"RS334", "RS345"} & {f.rule for f in [*plan.findings, *plan.tasks]}
+    text = re.sub(r" /\*.*?\*/", "", (made.sketch / "robot.ino").read_text())
+    assert f"fdserial_open({pins}, 0, 115200)" in text
 
 
 def test_each_part_on_the_serial_pins_is_named(tmp_path: Path) -> None:

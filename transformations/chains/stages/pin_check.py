@@ -21,7 +21,7 @@ from robosmi.transformations.knowledge.platforms.board_pins import INTERRUPT
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.ports.port_texts import BY_REGISTER, LOOK_UP, MOVES, RULE as MOVED, SAME_NUMBERS
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, source_name, text_in_place
+from robosmi.transformations.queries.plans.port_pins import CONSOLE, CONSOLE_NUMBER, PIN_RULE, UNBOUND, source_name, text_in_place
 from robosmi.transformations.queries.plans.retained_pins import retains_platform, whole_source_api
 from robosmi.transformations.queries.text_changes import all_changes, decision_of, effective
 from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinCheck, PinNames, PinPlace, follow_pins
@@ -103,9 +103,9 @@ def pin_names(plan: migration.MigrationPlan) -> PinNames:
     functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}
     constants = {str(c.name): pin_literal(c.pin) for c in plan.connections if c.pin is not None}
     literals = Counter(
-        text_in_place(binding)
+        CONSOLE_NUMBER if binding.choice == CONSOLE else text_in_place(binding)
         for binding in plan.portBindings
-        if binding.connection is None and binding.pin is not None
+        if binding.connection is None and (binding.pin is not None or binding.choice == CONSOLE)
         for change in binding.changes
         if change.rule == MOVED
     )

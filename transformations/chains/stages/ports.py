@@ -15,7 +15,9 @@ from robosmi.project import Project, default_number
 from robosmi.transform import Trace
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing
 from robosmi.transformations.chains.stages.program import StoredProgram
+from robosmi.transformations.knowledge.board_models import table_of
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_folder import platform_folder
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_names
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
@@ -23,6 +25,7 @@ from robosmi.transformations.m2m.ports.port_binding import UserPins, bind_ports
 from robosmi.transformations.m2m.sketches.pin_proposals import NewBoard, bind_same_pins, propose_pins
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
+from robosmi.transformations.queries.plans.bus_pins import has_usb_console
 from robosmi.transformations.queries.plans.plan_adapters import closure
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, give_numbers, program_ports
@@ -61,7 +64,8 @@ def bindings(
     said = (pins_of_project(settings, target), UserPins({**bind}))
     limit, kept = default_number("choices", "limit"), (stored or NOTHING).ports
     split = split_functions(judgement[0].adapters)
-    made = bind_ports(asked, api, source, connections, board, said, limit, kept, split)
+    facts = table_of(platform_folder(target.platform) / "platform.toml").table("ports", needed=False).values
+    made = bind_ports(asked, api, source, connections, board, said, limit, kept, split, has_usb_console(board, facts))
     if new_board is not None and drawing is None:
         propose_pins(asked.ports, made, new_board)
     elif new_board is not None:

@@ -16,6 +16,7 @@ import heapq
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from functools import cache
+from typing import Any
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -42,7 +43,7 @@ from robosmi.transformations.queries.circuits.component_kinds import kinds_of, m
 from robosmi.transformations.queries.circuits.former_titles import former_name
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
+from robosmi.transformations.queries.plans.port_pins import CONSOLE, NOT_WIRED, WITHOUT_PIN
 from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, convention_of
 from robosmi.transformations.queries.ports.split_wires import wires_of
 from robosmi.transformations.queries.values import Values
@@ -80,6 +81,7 @@ def bind_ports(
     limit: float,
     stored: Mapping[str, UserChoice] | None = None,
     split: frozenset[str] = frozenset(),
+    usb_console: bool = False,
 ) -> list[migration.PortBinding]:
     """Make the binding decision for each port of the program.
 
@@ -93,6 +95,7 @@ def bind_ports(
         limit: a rule's choice is taken when its confidence is at least this.
         split: functions that can serve a component with a wire for each direction.
         stored: port -> what a person chose in a stored plan, before `said`; what no longer fits is passed over.
+        usb_console: whether the target's console takes no pins.
 
     Raises:
         UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
@@ -107,7 +110,7 @@ def bind_ports(
         if port.name in pins:
             try:
                 with placed(pins[port.name].place):
-                    _take(binding, pins[port.name].name, connections, board)
+                    _take(binding, pins[port.name].name, connections, board, usb_console)
             except UsageError as error:
                 wrong.append(error)
                 continue
@@ -117,7 +120,7 @@ def bind_ports(
         raise UsageError(told, location=wrong[0].location, fix=wrong[0].fix)
     for port, binding in zip(ports, bindings, strict=True):
         if binding.open:
-            _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
+            _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None}, usb_console)
     taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
     free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
     for port, binding in zip(ports, bindings, strict=True):
@@ -178,7 +181,7 @@ def _kept(
     for name, kept in stored.items():
         try:
             layer = _layer(UserPins({name: kept.value}), ports, program, api)
-            if kept.value != NOT_WIRED:
+            if kept.value not in WITHOUT_PIN:
                 _chosen(kept.value, connections, board)
         except UsageError:
             continue  # `stored_choices.differences` says so
@@ -278,10 +281,16 @@ def _binding(port: Port, source: platform.Platform) -> migration.PortBinding:
     )
 
 
-def _take(binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board) -> None:
+def _take(
+    binding: migration.PortBinding,
+    said: str,
+    connections: Sequence[migration.Connection],
+    board: platform.Board,
+    usb_console: bool,
+) -> None:
     """Bind a port as a person chose."""
-    if said == NOT_WIRED:
-        binding.choice = NOT_WIRED
+    if said == NOT_WIRED or (said == CONSOLE and usb_console):
+        binding.choice = said
     else:
         binding.connection, binding.pin = _chosen(said, connections, board)
         binding.choice = binding.connection.name if binding.connection is not None else said
@@ -296,14 +305,14 @@ def bind_as_chosen(
 
     Args:
         binding: the binding.
-        said: a pin's label, a connection's name, or `none`.
+        said: a pin's label, a connection's name, `none`, or `console`.
         connections: the connections of the target board.
         board: the target board.
 
     Raises:
-        UsageError: it is neither a pin of the board, nor a connection, nor `none`.
+        UsageError: it is neither a pin of the board, nor a connection, nor `none`, nor `console`.
     """
-    bound = (None, None) if said in ("", NOT_WIRED) else _chosen(said, connections, board)
+    bound = (None, None) if said in ("", *WITHOUT_PIN) else _chosen(said, connections, board)
     binding.connection, binding.pin = bound
     binding.choice = referred(binding) or said
     trace_binding(binding)
@@ -343,6 +352,7 @@ def _on_board(
     connections: Sequence[migration.Connection],
     board: platform.Board,
     taken: set[int],
+    usb_console: bool,
 ) -> None:
     """Bind a port that is wired on the source board to its counterpart on the target board, if there is one."""
     known = api.settings.get("ports", {}).get("board", {}).get(api.port_name(port.pin)) if port.pin is not None else None
@@ -351,6 +361,8 @@ def _on_board(
     binding.what = binding.what or str(known["what"])
     if known["pin"] == NOT_WIRED:
         binding.choice = NOT_WIRED
+    elif usb_console and _is_console(port, known):
+        binding.choice = CONSOLE
     else:
         pin = next((p for p in board.pins if known["pin"] in (p.label, *p.aliases)), None)
         if pin is None or id(pin) in taken:
@@ -360,6 +372,11 @@ def _on_board(
         binding.choice = binding.connection.name if binding.connection is not None else pin.label
     binding.open, binding.confidence, binding.chosenBy = False, 0.95, migration.ChosenBy.rule
     binding.evidence.append(f"wired on the board of the source: {known['what']}")
+
+
+def _is_console(port: Port, known: Mapping[str, Any]) -> bool:
+    """Whether a port of the source board's console is given only to functions that can take USB in its place."""
+    return bool(port.uses) and {use.function for use in port.uses} <= {*known.get("console", ())}
 
 
 def signal_of(port: Port) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from robosmi.metamodels import migration, platform, trace
 from robosmi.query import root_of
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, port_text
+from robosmi.transformations.queries.plans.port_pins import WITHOUT_PIN, port_text
 
 PORT_RULE = "port"
 """The rule of the changes of text that write a pin in the place of a port's number."""
@@ -31,7 +31,7 @@ def only_the_choice_was_edited(binding: migration.PortBinding) -> bool:
     """
     pin = binding.connection.pin if binding.connection is not None else None
     alike = ["", referred(binding), *([pin.label, *pin.aliases] if pin is not None else [])]
-    if binding.choice in alike or (binding.choice == NOT_WIRED and not referred(binding)):
+    if binding.choice in alike or (binding.choice in WITHOUT_PIN and not referred(binding)):
         return False
     changes = [change for change in binding.changes if change.rule == PORT_RULE]
     text = port_text(binding)

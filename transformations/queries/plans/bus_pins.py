@@ -47,6 +47,17 @@ def bus_pins(plan: migration.MigrationPlan) -> list[BusPin]:
     return [BusPin(bus, signal, label, there.get((bus, signal), "")) for (bus, signal), label in here.items() if label != USB]
 
 
+def has_usb_console(board: platform.Board, settings: Mapping[str, Any]) -> bool:
+    """Whether the console of a platform's programs takes no pins of a board: it is USB, or the programmer's line.
+
+    Args:
+        board: the board.
+        settings: what the platform knows of pins; without serial ports, nothing is known.
+    """
+    serials = list(settings.get("serials", ()))[:1]
+    return USB in taken_by_buses(board, settings, (), serials).values()
+
+
 def taken_by_buses(
     board: platform.Board, settings: Mapping[str, Any], headers: Collection[str], names: Collection[str]
 ) -> dict[tuple[str, str], str]:

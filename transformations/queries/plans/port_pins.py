@@ -12,8 +12,14 @@ from robosmi.transformations.queries.plans.retained_pins import retains_platform
 
 NOT_WIRED = "none"
 """The recorded choice of a port that a person declared not to be wired."""
+CONSOLE = "console"
+"""The recorded choice of a port that is the console, where that is USB and takes no pins."""
+WITHOUT_PIN = (NOT_WIRED, CONSOLE)
+"""The recorded choices that no pin or connection belongs to."""
 UNBOUND = "255"
 """The argument that adapters are given for a port without a pin: a number that is no pin of any target."""
+CONSOLE_NUMBER = "254"
+"""The argument that stands for a console without pins: no pin of any target, known to the hardware layers (`is_console`)."""
 
 PIN_RULE = "RS345"
 """The rule of places in the finished program whose pin is not the plan's, or cannot be followed."""
@@ -61,6 +67,8 @@ def text_in_place(binding: migration.PortBinding) -> str:
     if text is not None:
         return text
     called = source_name(binding) if binding.sourcePin >= 0 else binding.name
+    if binding.choice == CONSOLE:
+        return f"{CONSOLE_NUMBER} /* {called} is the console's */"
     return f"{UNBOUND} /* {called} is not wired{'' if binding.choice == NOT_WIRED else ' yet'} */"
 
 
@@ -94,6 +102,8 @@ def port_literals(plan: migration.MigrationPlan, *, by_name: bool = True) -> tup
             numbers.pop(binding.sourcePin, None)
             if pin is not None:
                 numbers[binding.sourcePin] = pin_literal(pin)
+            elif binding.choice == CONSOLE:
+                numbers[binding.sourcePin] = CONSOLE_NUMBER
     return names, numbers
 
 
@@ -108,6 +118,8 @@ def table_is_declared(plan: migration.MigrationPlan) -> bool:
 
 
 def of_own_serial_port(binding: migration.PortBinding) -> bool:
-    """Whether a port is a line of the board's own serial port (its console), bound there by a rule."""
+    """Whether a port is a line of the board's own serial port (its console), bound there by a rule, or that is its USB."""
+    if binding.choice == CONSOLE:
+        return True
     by_rule = binding.chosenBy is migration.ChosenBy.rule and binding.connection is None
     return by_rule and binding.pin is not None and "uart" in binding.pin.abilities

@@ -237,16 +237,17 @@ inline terminal *simpleterm_open() {
 //# adapter simpleterm_reopen
 //#   for: terminal *simpleterm_reopen(int rxpin, int txpin, int mode, int baud)
 //#   kind: semantic
-//#   needs: text_t terminal console dport_ptr ECHO_RX_TO_TX
+//#   needs: text_t terminal console dport_ptr ECHO_RX_TO_TX hal/console
 //#   pin: rxpin digital in
 //#   pin: txpin digital out
-//#   fidelity: exact at the pins of the console, 0 and 1; at any others the terminal is not wired
+//#   fidelity: exact at the console's pins, or where it is USB; at any others the terminal is not wired
 //#   limit: the terminal cannot move to other pins
+//#   limit: where the console is USB, text takes no time: at a low rate the program is faster than there
 //#   stack: 8
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline terminal *simpleterm_reopen(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baud) {
-  bool wired = rxpin == 0 && txpin == 1;
+  bool wired = is_console(rxpin, txpin);
   Serial.flush();
   if (wired) Serial.begin((unsigned long)baud);
   console.port = wired ? &Serial : 0;

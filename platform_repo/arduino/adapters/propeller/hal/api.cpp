@@ -533,10 +533,10 @@ struct TwoWireBus {
 // ---------------------------------------------------------------- serial lines
 
 //# helper console
+//#   needs: Io
 //#   fidelity: the console is USB or the programmer's line, which take no pins of the board
-inline bool is_console(int32_t rxpin, int32_t txpin) {
-  (void)rxpin, (void)txpin;
-  return false;
+inline bool is_console(int32_t rxpin, int32_t txpin) {  // 254 stands for it
+  return (rxpin == 254 || txpin == 254) && !Io(rxpin).wired() && !Io(txpin).wired();
 }
 
 inline bool console_is_sent() {  // there is as much room as there ever was
@@ -553,20 +553,6 @@ inline bool is_console(int32_t rxpin, int32_t txpin) { return rxpin == RX && txp
 inline bool console_is_sent() {
   Serial.flush();
   return true;
-}
-
-//# helper console
-//#   architecture: stm32
-inline bool is_console(int32_t rxpin, int32_t txpin) {  // the line to the ST-Link
-  return rxpin >= 0 && txpin >= 0 && digitalPinToPinName(rxpin) == digitalPinToPinName(PIN_SERIAL_RX) &&
-         digitalPinToPinName(txpin) == digitalPinToPinName(PIN_SERIAL_TX);
-}
-
-inline bool console_is_sent() {
-  static int most = 0;
-  int room = Serial.availableForWrite();
-  if (room > most) most = room;
-  return room == most;
 }
 
 //# helper SerialLine

@@ -937,6 +937,20 @@ inline bool is_console(int32_t rxpin, int32_t txpin) { return rxpin == 0 && txpi
 
 inline bool console_is_sent() { return Serial.availableForWrite() == SERIAL_TX_BUFFER_SIZE - 1; }
 
+//# helper console
+//#   mcu: atmega32u4
+//#   needs: Io
+inline bool is_console(int32_t rxpin, int32_t txpin) {  // 254 stands for it
+  return (rxpin == 254 || txpin == 254) && !Io(rxpin).wired() && !Io(txpin).wired();
+}
+
+inline bool console_is_sent() {  // there is as much room as there ever was
+  static int most = 0;
+  int room = Serial.availableForWrite();
+  if (room > most) most = room;
+  return room == most;
+}
+
 //# helper SerialLine
 //#   needs: Io PinWatch simpletools.h/TimedInput quiet_of_servos
 //#   include: <util/delay_basic.h>

@@ -474,10 +474,10 @@ struct TwoWireBus {
 // ---------------------------------------------------------------- serial lines
 
 //# helper console
-//#   fidelity: the console is USB, which takes no pins: no pins are those of the console
-inline bool is_console(int32_t rxpin, int32_t txpin) {
-  (void)rxpin, (void)txpin;
-  return false;
+//#   needs: Io
+//#   fidelity: the console is USB, which takes no pins
+inline bool is_console(int32_t rxpin, int32_t txpin) {  // 254 stands for it
+  return (rxpin == 254 || txpin == 254) && !Io(rxpin).wired() && !Io(txpin).wired();
 }
 
 inline bool console_is_sent() {  // there is as much room as there ever was
