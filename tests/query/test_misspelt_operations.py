@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from robosmi.errors import RobosmiError
@@ -31,7 +33,7 @@ def test_the_nearest_name_is_told(asked: str, told: str) -> None:
 
 
 @pytest.mark.parametrize("items", [Q([]), Q([]).as_set(), Q(["a"]).select(lambda _text: False)])
-def test_of_an_empty_collection_too(items: Q[str]) -> None:
+def test_of_an_empty_collection_too(items: Any) -> None:
     with pytest.raises(RobosmiError, match="did you mean 'not_empty'") as refused:
         items.notEmpty()
     assert refused.value.fix == "write not_empty(...)"
