@@ -12,7 +12,7 @@ import hashlib
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Never, cast
+from typing import TYPE_CHECKING, Never, cast
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
@@ -116,7 +116,7 @@ class EmfModel(TypedModel):
         *,
         strict: bool,
         open_files: OpenFiles | None,
-        made: Callable[[type], Any] = object.__new__,
+        made: Callable[[type], object] = object.__new__,
     ) -> EmfModel:
         """The same; `made` makes the elements of a class, in the order of the file."""
         from robosmi.model.ecore.metamodels import built_in

@@ -170,8 +170,7 @@ def lines_of(elements: Sequence[EObject | None], path: Path) -> list[int | None]
 def _way(element: EObject) -> tuple[str, ...]:
     """The features from the root to an element with the places in them, as the tags of a file follow each other."""
     steps: list[str] = []
-    while (container := element.eContainer()) is not None:
-        feature = element.eContainmentFeature()
+    while (container := element.eContainer()) is not None and (feature := element.eContainmentFeature()) is not None:
         place = place_in(getattr(container, key_of(feature)), element) if feature.many else 0
         steps.append(f"{feature.name}.{place}")
         element = container
