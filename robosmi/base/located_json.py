@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 MOST_LEVELS = 1000
 """Limit on the objects and lists around a value, that of Jackson, which reads and writes JSON for EMF."""
-LESS_DEEP = "nest less deep; a model may be saved as XMI, which has no such limit"
+FEWER_LEVELS = "use fewer levels; a model may be saved as XMI, which has no such limit"
 
 _TOKEN = re.compile(
     r"""(?P<space>[ \t\r\n]*)
@@ -125,7 +125,7 @@ class _Reader:
                     around.append(inside)
                     inside = value
                     if len(around) > MOST_LEVELS:
-                        raise JsonError(f"the text is nested more than {MOST_LEVELS} levels deep", self.line, LESS_DEEP)
+                        raise JsonError(f"the text is nested more than {MOST_LEVELS} levels deep", self.line, FEWER_LEVELS)
                     continue
             while inside is not whole:
                 kind, token = self.next()

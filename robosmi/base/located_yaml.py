@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from robosmi.base.located_json import LESS_DEEP, MOST_LEVELS, LocatedJson, LocatedList, LocatedObject, NumberText
+from robosmi.base.located_json import FEWER_LEVELS, MOST_LEVELS, LocatedJson, LocatedList, LocatedObject, NumberText
 from robosmi.errors import MissingToolError
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def located_yaml(data: bytes) -> LocatedJson:
         mark = error.problem_mark or error.context_mark
         line, text = mark.line + 1 if mark is not None else 1, error.problem or "it cannot be read"
         if "nesting" in text:  # libyaml has a limit of its own
-            raise YamlError(f"the text is nested too deep ({text})", line, LESS_DEEP) from None
+            raise YamlError(f"the text is nested too deep ({text})", line, FEWER_LEVELS) from None
         raise YamlError(text, line) from None
     except yaml.reader.ReaderError as error:
         place = error.position if isinstance(error.position, int) else 0
@@ -122,7 +122,7 @@ class _Builder:
             self.around.append(value)
             self.keys.append(None)
             if len(self.around) > MOST_LEVELS + 1:
-                raise YamlError(f"the text is nested more than {MOST_LEVELS} levels deep", line, LESS_DEEP)
+                raise YamlError(f"the text is nested more than {MOST_LEVELS} levels deep", line, FEWER_LEVELS)
 
 
 def _scalar(event: ScalarEvent) -> LocatedJson:

@@ -188,4 +188,4 @@ def figures() -> Iterator[Figure]:
     small, big = found
     for what in ("first navigation", "nodes with many edges", "edges to heavier nodes"):
         text = f"{small[what]:.2f} and {big[what]:.2f} s"
-        yield Figure(f"graph, {what}, a million to 100,000", big[what] / small[what], "x", 12, note=text)
+        yield Figure(f"graph, {what}, a million to 100,000", big[what] / small[what], "x", 10, note=text)

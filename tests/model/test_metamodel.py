@@ -175,3 +175,9 @@ def test_a_metamodel_of_what_is_no_list_of_packages_is_told_what_to_write() -> N
         Metamodel(hardware)  # type: ignore[arg-type]
     with pytest.raises(UsageError, match=r"do: read the file: Metamodel\.load\(PATH\)"):
         Metamodel("shelf.ecore")  # type: ignore[arg-type]
+
+
+def test_files_and_packages_are_one_metamodel() -> None:
+    shelf, garden = Metamodel.load(SHELF), Metamodel.load(CASES / "garden.ecore")
+    assert sorted(Metamodel.of([*shelf.packages, CASES / "garden.ecore"]).names()) == sorted([*shelf.names(), *garden.names()])
+    assert Metamodel.of([str(SHELF)]).names() == shelf.names()

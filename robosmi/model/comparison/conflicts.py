@@ -170,10 +170,8 @@ def lines_of(elements: Sequence[EObject | None], path: Path) -> list[int | None]
 def _way(element: EObject) -> tuple[str, ...]:
     """The features from the root to an element with the places in them, as the tags of a file follow each other."""
     steps: list[str] = []
-    at: EObject | None = element
-    while at is not None and (feature := at.eContainmentFeature()) is not None:
-        container = at.eContainer()
-        place = place_in(getattr(container, key_of(feature)), at) if feature.many else 0
+    while (container := element.eContainer()) is not None and (feature := element.eContainmentFeature()) is not None:
+        place = place_in(getattr(container, key_of(feature)), element) if feature.many else 0
         steps.append(f"{feature.name}.{place}")
         at = container
     return tuple(reversed(steps))

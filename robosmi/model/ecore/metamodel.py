@@ -26,7 +26,7 @@ from robosmi.model.elements.feature_errors import UnknownFeatureError, literal_e
 from robosmi.model.elements.pyecore_internals import is_element, is_static
 from robosmi.model.elements.strict import INTERNAL, Element
 
-Packages: TypeAlias = "Metamodels | Package | Iterable[Package] | Iterable[str | Path]"
+Packages: TypeAlias = "Metamodels | Package | Iterable[Package | str | Path]"
 """What a metamodel may be given as."""
 
 
