@@ -70,7 +70,7 @@ def program_sources(spec: Spec, out: Path) -> list[ProgramSource]:
                 raise SourceError(
                     f"two programs have the id '{source.id}': {other.path} ({other.origin}) and {source.path} ({source.origin})",
                     location=Location(str(spec.path)),
-                    fix="change the patterns so that each program is named once, or give an entry a prefix: prefix = ...",
+                    fix="name each program once: change a pattern or an id in the list, or give an entry a prefix: prefix = ...",
                 )
             found[source.id] = source
     return list(found.values())

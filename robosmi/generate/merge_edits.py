@@ -194,7 +194,11 @@ class _Merge:
         lines: list[_Line] = []
         found = chunks(base, ours, theirs)
         edits = [chunk for chunk in found if chunk.kind == "ours"]
-        told = f"{len(edits)} edits outside the regions are kept" if len(edits) > 1 else "an edit outside the regions is kept"
+        told = (
+            f"your {len(edits)} edits of the generated text are kept"
+            if len(edits) > 1
+            else "your edit of the generated text is kept"
+        )
         for chunk in found:
             mine = stretch(ours, chunk.ours)
             if chunk.kind == "theirs":

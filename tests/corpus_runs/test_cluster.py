@@ -5,14 +5,18 @@ from __future__ import annotations
 import socket
 import subprocess
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
+import msgspec
 import pytest
 
 from robosmi.corpus import cluster as clusters_of_dask, memory
 from robosmi.corpus.cluster import run_on_cluster
+from robosmi.corpus.jobs import Limits, ProgramJob, ProgramResult, ProgramWork
 from robosmi.corpus.schema import TABLES, VERDICTS
+from robosmi.corpus.states import DONE
 from robosmi.errors import SourceError
 from tests.corpus_runs.clusters import Process, cluster, finished, other_worker, run_with_a_lost_worker, until_lines
 from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty, stopped
@@ -110,6 +114,72 @@ def test_what_listens_and_is_no_scheduler(said: bytes, without_client: None) -> 
             next(run_on_cluster(f"tcp://127.0.0.1:{server.getsockname()[1]}", iter(()), ("analyse",)))
         thread.join()
         held[0].close()
+
+
+class _Future:
+    """A future whose result dies with its worker once: it is pending again, and finishes when it is computed anew."""
+
+    def __init__(self, data: bytes) -> None:
+        self.key, self.released = "job", False
+        self.states = ["pending", "finished"]
+        job = msgspec.json.decode(data, type=ProgramJob)
+        self.done = msgspec.json.encode(ProgramResult(job.work.id, DONE))
+
+    @property
+    def status(self) -> str:
+        return self.states[0]
+
+    def result(self) -> bytes:
+        assert self.status == "finished", "who asks for a result that is pending waits for ever"
+        return self.done
+
+    def release(self) -> None:
+        self.released = True
+
+
+class _Completed:
+    """What `as_completed` does with such futures: it gives out each that was added."""
+
+    def __init__(self, futures: Iterable[_Future], **_: object) -> None:
+        self.ready = list(futures)
+
+    def __next__(self) -> _Future:
+        return self.ready.pop(0)
+
+    def add(self, future: _Future) -> None:
+        future.states.pop(0)
+        self.ready.append(future)
+
+    def update(self, futures: Iterable[_Future]) -> None:
+        self.ready += futures
+
+    def has_ready(self) -> bool:
+        return bool(self.ready)
+
+    def is_empty(self) -> bool:
+        return not self.ready
+
+
+def test_a_result_that_dies_with_its_worker_is_waited_for_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[_Future] = []
+
+    def submit(_: object, data: bytes, *__: object, **___: object) -> _Future:
+        made.append(_Future(data))
+        return made[-1]
+
+    async def greeted(*_: object) -> None:
+        pass
+
+    client = SimpleNamespace(status="running", loop=None, submit=submit, run=lambda *_, **__: None, close=lambda *_, **__: None)
+    monkeypatch.setattr("distributed.Client", lambda *_, **__: client)
+    monkeypatch.setattr("distributed.as_completed", _Completed)
+    monkeypatch.setattr(clusters_of_dask, "_greet", greeted)
+    workers = SimpleNamespace(threads=1, right=None, replaced=lambda: False)
+    monkeypatch.setattr(clusters_of_dask, "_Workers", lambda *_: workers)
+    job = ProgramJob(ProgramWork("a.c", "a.c"), ("analyse",), Limits())
+    (result,) = run_on_cluster("tcp://host:1", iter([job]), ("analyse",))
+    assert (result.id, result.state) == ("a.c", DONE)
+    assert [future.released for future in made] == [True]
 
 
 def test_a_scheduler_that_dies_ends_the_run_which_goes_on_later(tmp_path: Path) -> None:

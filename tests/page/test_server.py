@@ -170,7 +170,7 @@ def test_a_kept_edit_is_said_with_the_choice(out: Path) -> None:
     page.document(live=True, nonce="n")
     done = page.act("choose", {"id": "port:eye", "value": "D4", "plan": page.now()})
     assert done["state"] == "saved"
-    assert "an edit outside the regions is kept" in done["message"]
+    assert "your edit of the generated text is kept" in done["message"]
     assert sketch.read_text().startswith("// mine")
 
 
@@ -353,3 +353,14 @@ def test_a_page_with_nothing_on_it_says_so(out: Path, tmp_path: Path) -> None:
     assert "No choices; the program calls no platform function." in text
     assert "No decisions yet." in text
     assert "0 of 0" not in text
+
+
+@pytest.mark.parametrize(("parts", "lazily"), [(41, True), (5, False)])
+def test_a_browser_lays_out_a_long_list_where_it_is_seen(out: Path, tmp_path: Path, parts: int, lazily: bool) -> None:
+    table = tmp_path / "pins.csv"
+    table.write_text("pin,part,title\n" + "".join(f"D{number % 10 + 2},Gizmo,gizmo {number}\n" for number in range(parts)))
+    robosmi.migrate([tmp_path / "blink" / "blink.c"], out, hardware=table)
+    text = PlanPage(out).document(live=True, nonce="n")
+    assert text.count('data-choice="role') == parts
+    assert ('class="many"' in text) == lazily
+    assert ".many > .choice { content-visibility: auto" in text
