@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -95,6 +97,16 @@ def test_an_editor_is_shown_findings_completions_and_choices(robot: Path) -> Non
 
     asyncio.run(talk())
     assert load_project(robot).bind == {"P26": "D13"}
+
+
+def test_the_server_ends_without_an_error_when_the_editor_says_so() -> None:
+    end = ({"method": "initialize", "id": 1, "params": {"processId": None, "rootUri": None, "capabilities": {}}},
+           {"method": "shutdown", "id": 2}, {"method": "exit"})  # fmt: skip
+    texts = [json.dumps({"jsonrpc": "2.0", **each}).encode() for each in end]
+    sent = b"".join(b"Content-Length: %d\r\n\r\n%s" % (len(text), text) for text in texts)
+    done = subprocess.run([sys.executable, "-m", "robosmi", "lsp"], input=sent, capture_output=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b'"id": 2' in done.stdout
 
 
 def editor(path: Path, text: str) -> Any:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import os
+import sys
 from typing import TYPE_CHECKING
 
 from robosmi.errors import MissingToolError, UsageError
@@ -33,5 +35,6 @@ def run(arguments: _Arguments) -> Report:
         raise MissingToolError("the package 'pygls' is not installed", fix="pip install 'robosmi[lsp]'") from error
     from robosmi.cli.language_server import make_server
 
-    make_server().start_io()
+    server = make_server()
+    server.start_io(stdout=os.fdopen(os.dup(sys.stdout.fileno()), "wb"))  # which it closes
     return Report("lsp")

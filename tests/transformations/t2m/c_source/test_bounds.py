@@ -360,6 +360,8 @@ def test_a_file_makes_no_more_calls_than_any_board_can_hold(tmp_path: Path) -> N
         "int x[][900000] = {[0][899999] = 1, [1][899999] = 1};",
         "struct { int a[900000]; } x[] = {{.a[899999] = 1}, {.a[899999] = 1}};",
         "int x[] = {[900000] = 1}, y[] = {[900000] = 1};",
+        "enum size { A, N = 30000000, B };\nchar x[] = {[0 ... N - 1] = 1};",
+        "enum { M = 3000 };\nenum { N = M * M };\nchar x[10][N] = {[0 ... 9] = {[N] = 1}};",
     ],
 )
 def test_an_initialiser_that_no_board_has_memory_for_is_refused_before_it_is_parsed(text: str) -> None:
@@ -379,9 +381,11 @@ def test_usual_initialisers_are_within_the_limit() -> None:
 def test_the_parser_takes_no_more_memory_than_its_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(clang.library(), "spare", clang.MOST_MEMORY)
     path = tmp_path / "a.c"
-    path.write_text("enum { N = 500000000 };\nint x[] = {[N] = 1};\n")
+    before = clang.library().spare
+    path.write_text("struct s { char x[30000000]; };\nint x[] = {[sizeof(struct s)] = 1};\n")
     with pytest.raises(SourceError, match="gave up"):
         read_program(path)
+    assert clang.library().spare > before - (400 << 20)
     path.write_text("int x[] = {[5] = 1};\n")
     assert read_program(path)[0].units
 

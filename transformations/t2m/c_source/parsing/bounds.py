@@ -167,8 +167,8 @@ def _too_far(tokens: Sequence[Token]) -> int | None:
 
 
 def _numbers(tokens: Sequence[Token]) -> dict[str, list[str]]:
-    """The macros of a file that stand for a short expression, with its tokens."""
-    found: dict[str, list[str]] = {}
+    """The macros and the constants of enumerations of a file that stand for a short expression, with its tokens."""
+    found = dict(_constants([text for kind, _, _, text in tokens if kind not in ("comment", "directive")]))
     for kind, _, _, text in tokens:
         if kind == "directive" and "define" in text and len(text) < 200:
             word, rest = directive_parts(text)
@@ -176,6 +176,19 @@ def _numbers(tokens: Sequence[Token]) -> dict[str, list[str]]:
             if name and parameters is None:
                 found[name] = [each[3] for each in tokenise(body.encode("utf-8", "replace"))]
     return found
+
+
+def _constants(words: Sequence[str]) -> Iterator[tuple[str, list[str]]]:
+    """The constants of enumerations that have a value of their own, with its tokens."""
+    inside = False
+    for number, text in enumerate(words):
+        if text == "enum":
+            inside = True
+        elif text in (";", "}"):
+            inside = False
+        elif text == "=" and inside:
+            end = next((i for i, each in enumerate(words[number + 1 : number + 100]) if each in (",", "}", ";")), 0)
+            yield words[number - 1], list(words[number + 1 : number + 1 + end])
 
 
 def _value(words: Sequence[str], macros: Mapping[str, Sequence[str]]) -> int:

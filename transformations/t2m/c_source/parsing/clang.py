@@ -39,6 +39,8 @@ ERROR, FATAL = 3, 4
 """Severities of complaints."""
 MOST_MEMORY = 1 << 30
 """Bytes that libclang may take for one text, and lose in all by crashes, after which it frees nothing."""
+_FOR_SMALL, _FOR_BYTE = 352 << 20, 64
+"""Bytes that libclang may take for a small text, and further ones for each byte of the text and its headers."""
 
 
 class Cursor(Structure):
@@ -324,7 +326,8 @@ def parse(
         if lib.spare <= 0:
             return None
         held = _held()
-        with _limited(held + lib.spare), _silent():
+        wanted = _FOR_SMALL + _FOR_BYTE * sum(each.length for each in files)
+        with _limited(held + min(lib.spare, wanted)), _silent():
             code = lib.parseTranslationUnit2(
                 index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
             )
