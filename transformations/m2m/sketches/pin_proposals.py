@@ -107,13 +107,18 @@ def _needs(port: Port, new: NewBoard) -> set[str]:
     return found if only_measured else found | {"digital"}
 
 
+def _same_processor(new: NewBoard) -> bool:
+    here, there = new.old.microcontroller, new.board.microcontroller
+    return here is not None and there is not None and here.name == there.name
+
+
 def _same(port: Port, new: NewBoard) -> platform.Pin | None:
     """The pin of the same label, if it can what the port's pin can on the source board as far as the program uses it."""
     label = new.source.labels.get(port.pin if port.pin is not None else -1)
     pin = next((pin for pin in new.board.pins if pin.label == label), None)
     old = next((pin for pin in new.old.pins if pin.label == label), None)
-    if pin is None or old is None or str(pin.label) in new.buses:
-        return None
+    if pin is None or old is None or (str(pin.label) in new.buses and not _same_processor(new)):
+        return None  # with the same processor the program shares the pin with its bus on both boards, or on none
     lacking = _needs(port, new).intersection(old.abilities).difference(pin.abilities)
     return None if lacking else pin
 

@@ -53,6 +53,12 @@ def test_a_sketch_needs_no_edit_on_a_board_with_the_same_pins(name: str, target:
     assert not (tmp_path / name / "adapters.h").exists()
 
 
+def test_a_pin_shared_with_a_bus_stays_where_the_processor_does(tmp_path: Path) -> None:
+    """A regression: servos on the pins of Serial were given others on a Nano."""
+    assert migrated("shared_with_serial", tmp_path, target="nano").code == 0
+    assert not changed(tmp_path, "shared_with_serial")
+
+
 @pytest.mark.parametrize(
     ("target", "lines"),
     [
