@@ -173,7 +173,7 @@ def _way(element: EObject) -> tuple[str, ...]:
     while (container := element.eContainer()) is not None and (feature := element.eContainmentFeature()) is not None:
         place = place_in(getattr(container, key_of(feature)), element) if feature.many else 0
         steps.append(f"{feature.name}.{place}")
-        at = container
+        element = container
     return tuple(reversed(steps))
 
 
