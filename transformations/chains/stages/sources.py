@@ -15,7 +15,7 @@ from robosmi import inputs
 from robosmi.base.data_text import Json, as_list, as_table, as_text, json_of, json_written
 from robosmi.errors import UsageError
 from robosmi.files.files import digest
-from robosmi.files.run_lock import SOURCES, store, stored_of
+from robosmi.files.run_lock import SOURCES, store, stored
 from robosmi.metamodels import migration
 from robosmi.project import Project, load_project
 from robosmi.transformations.t2m.c_source.parsing.source import stored_bytes
@@ -62,7 +62,7 @@ def _absolute(value: Any) -> Any:
 def last_run(output: Path) -> tuple[list[str], dict[str, Any]] | None:
     """The files and arguments of the last migration into an output folder; None if unknown."""
     try:
-        known = as_table(json_of(stored_of(output, SOURCES)))
+        known = as_table(json_of(stored(output, SOURCES)))
         return [str(file) for file in as_list(known["files"])], as_table(known["arguments"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
@@ -88,7 +88,7 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
             )
         return (source if source.is_dir() else source.parent).absolute(), ""
     try:
-        known = as_table(json_of(stored_of(output, SOURCES)))
+        known = as_table(json_of(stored(output, SOURCES)))
         folder = Path(as_text(known["folder"]))
         found = {name: Path(as_text(path)) for name, path in as_table(known["sources"]).items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
