@@ -452,6 +452,7 @@ OPENS: dict[str, str] = {
     "robosmi/inputs.py": "it is the place",
     "robosmi/base/user_cache.py": "asks who has written what it reads",
     "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
+    "robosmi/cli/commands/lsp.py": "doubles its own output, which the server closes",
     "robosmi/cli/landlock.py": "names a folder to the kernel, and can read nothing by it",
     "robosmi/files/directory_fd.py": "writes, and holds folders open",
     "robosmi/files/files.py": "writes",
