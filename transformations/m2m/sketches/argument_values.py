@@ -6,17 +6,19 @@ decimals where `round` is no macro, and the number of an interrupt's mode is ano
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import struct
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.platform_model import split_parameters
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
-from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, is_written
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
 from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.portability.pin_origins import PinOrigins
@@ -34,6 +36,7 @@ def argument_values(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
     yield from _modes(sketch)
     yield from _whole_results(sketch)
     yield from _interrupts(sketch)
+    yield from _equal_constants(sketch)
 
 
 def _zeros(sketch: MovedSketch) -> Iterator[SketchEdit]:
@@ -85,6 +88,39 @@ def _whole_results(sketch: MovedSketch) -> Iterator[SketchEdit]:
                 if not _owner(call) and not _converts(call):
                     reason = f"'{name}' gives a whole number on its own board"
                     yield SketchEdit(call, _RULE, reason, (inserted(int(call.startOffset), "(long)"),))
+
+
+def _equal_constants(sketch: MovedSketch) -> Iterator[SketchEdit]:
+    """The edits of constants that a float is compared with for equality: on AVR each double is a float.
+
+    A float never equals a double such as 0.1, which no float is.
+    """
+    if sketch.move.source.int_bits >= sketch.move.target.int_bits:
+        return
+    macros = {str(macro.name): str(macro.body or "").strip("() ") for view in sketch.views for macro in view.unit.macros}
+    for view in sketch.views:
+        for equality in view.of_kind(ccode.Binary):
+            if equality.operator not in ("==", "!="):
+                continue
+            for given, other in ((equality.left, equality.right), (equality.right, equality.left)):
+                kind = type_of(other, {}) if _is_between_floats(given, macros) else None
+                if given is not None and kind is not None and kind.base == "float" and not kind.depth and is_written(view, given):
+                    reason = "the constant is a float on its own board"
+                    yield SketchEdit(given, _RULE, reason, (inserted(int(given.startOffset), "(float)"),))
+
+
+def _is_between_floats(constant: ccode.Expression | None, macros: Mapping[str, str]) -> bool:
+    """Whether a constant, or a macro for one, has a value that no float has."""
+    number = constant.operand if isinstance(constant, ccode.Unary) and constant.operator in ("-", "+") else constant
+    text = str(number.text) if isinstance(number, ccode.FloatingLiteral) else ""
+    if isinstance(number, ccode.NameReference) and number.target is None:
+        text = macros.get(str(number.name), "")
+    try:
+        value = float(text)
+        (nearest,) = struct.unpack("f", struct.pack("f", value))
+        return bool(nearest != value)
+    except (ValueError, OverflowError):
+        return False
 
 
 def _converts(call: ccode.Call) -> bool:

@@ -18,8 +18,7 @@ from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.argument_values import stored_values, taken_values
 from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
-from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
-from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, is_written
 from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import as_characters, negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
@@ -228,17 +227,3 @@ def is_free(holder: ccode.Declaration) -> bool:
             if outer.callee.definition and kind is not None and "&" in str(kind.spelling):
                 return False
     return True
-
-
-def is_written(view: CodeView, expression: ccode.Expression) -> bool:
-    """Whether an expression stands in the text as it is, and not in the body or an argument of a macro."""
-    start, end = int(expression.startOffset), int(expression.endOffset)
-    named = isinstance(expression, ccode.NameReference)
-    around = (
-        use
-        for use in view.unit.macroUses
-        if int(use.startOffset) <= start
-        and end <= int(use.endOffset)
-        and not (named and (start, end) == (int(use.startOffset), int(use.endOffset)))
-    )
-    return start < end and not any(True for _ in around)

@@ -90,3 +90,17 @@ def setup_start(
 
 SketchRule = Callable[[MovedSketch], Iterator[SketchEdit | PortabilityPlace]]
 """A rule: from a program to its edits, and to the places that it finds and cannot change."""
+
+
+def is_written(view: CodeView, expression: ccode.Expression) -> bool:
+    """Whether an expression stands in the text as it is, and not in the body or an argument of a macro."""
+    start, end = int(expression.startOffset), int(expression.endOffset)
+    named = isinstance(expression, ccode.NameReference)
+    around = (
+        use
+        for use in view.unit.macroUses
+        if int(use.startOffset) <= start
+        and end <= int(use.endOffset)
+        and not (named and (start, end) == (int(use.startOffset), int(use.endOffset)))
+    )
+    return start < end and not any(True for _ in around)
