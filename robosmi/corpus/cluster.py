@@ -28,9 +28,9 @@ from robosmi.errors import MissingToolError, SourceError
 _CONNECT_S = 30.0
 _REACH_S = 5.0
 """Seconds after which an address that does not answer has no scheduler."""
-_AHEAD = 3
+_AHEAD = 8
 """Jobs in the cluster for each of its threads, so that none idles and nothing piles up."""
-_LOOK_S = 0.05
+_LOOK_S = 0.01
 """Seconds between two looks for a result."""
 _WORKERS_S = 5.0
 """Seconds without a result after which the workers of the cluster are looked at again."""
