@@ -85,3 +85,7 @@ def test_two_migrations_differ_in_board_choices_and_program(tmp_path: Path) -> N
     assert "-  high(4);" in done.result["diff"]
     assert "+  high(5);" in done.result["diff"]
     assert run("diff", tmp_path / "a", tmp_path / "b", "-o", tmp_path / "x.html").code == 2
+    for folders, other in ((("a", "."), "."), (("gone", "a"), "gone")):
+        refused = run("diff", *(tmp_path / name for name in folders))
+        assert refused.code == 2
+        assert f"{tmp_path / other} is no output folder" in refused.err

@@ -43,8 +43,11 @@ def run(arguments: _Arguments) -> Report:
     from robosmi.report.comparison_page import comparison_page
 
     report = Report("diff")
-    if all((path / "models" / "plan.xmi").is_file() for path in (arguments.before, arguments.after)):
+    others = [path for path in (arguments.before, arguments.after) if not (path / "models" / "plan.xmi").is_file()]
+    if not others:
         return _outputs(report, arguments)
+    if len(others) == 1:
+        raise UsageError(f"{others[0]} is no output folder, and the other one is", fix="give two output folders, or two models")
     found = compare(arguments.before, arguments.after, metamodel=arguments.metamodels)
     report.findings = found.findings
     report.result = {"equal": found.equal, "changes": [change.to_json() for change in found.changes]}
