@@ -27,13 +27,14 @@ from robosmi.transformations.chains.stages.models import MigrationModels, stored
 from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
 from robosmi.transformations.m2m.circuits.wokwi_wiring import wokwi_wiring
-from robosmi.transformations.m2t.circuits.circuit_picture import svg
+from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg
 from robosmi.transformations.m2t.circuits.wokwi_project import project_files
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.queries.circuits.electrical import fed_parts
-from robosmi.transformations.queries.plans.plan import as_findings, ports_by_pin
+from robosmi.transformations.queries.plans.plan import as_findings
 
+_WITH_DRAWING = "run migrate with --hardware SKETCH"
 FORM: Final = "wiring form"
 """The registry's kind for formats: functions of `(models, OUT, path)` that return `Handed`."""
 
@@ -166,12 +167,20 @@ def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
 
 
 def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
-    """Export the picture (SVG), with the source's ports at their pins and the faults at their places."""
+    """Export the picture (SVG), with the source's ports at their pins and the faults at their places.
+
+    Without a drawing it shows what the program uses, and a finding says so.
+    """
     plan = models.plan
-    if plan.circuit is None:
-        raise _no_drawing()
     wrong = [f for f in as_findings(Q(plan.findings), models.places) if f.rule.startswith("RS2")]
-    return Handed({"": svg(plan.circuit, wrong, ports_by_pin(plan)).encode()}, {"": "picture"})
+    text = plan_svg(plan, wrong)
+    if not text:
+        raise _no_drawing()
+    findings = []
+    if plan.circuit is None:
+        message = "no drawing given: the picture shows the ports of the program, without supplies and passive parts"
+        findings.append(Finding("RS210", Severity.info, message, Location(str(path)), fix=_WITH_DRAWING))
+    return Handed({"": text.encode()}, {"": "picture"}, findings)
 
 
 def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection]:
@@ -181,4 +190,4 @@ def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection
 
 
 def _no_drawing() -> SourceError:
-    return SourceError("the plan has no drawing and thus no wiring", fix="run migrate with --hardware SKETCH")
+    return SourceError("the plan has no drawing and thus no wiring", fix=_WITH_DRAWING)

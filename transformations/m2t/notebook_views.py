@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from robosmi.base.quantities import quantity
 from robosmi.metamodels import hardware, migration
 from robosmi.report.notebook import bar, picture, quoted, table
-from robosmi.transformations.m2t.circuits.circuit_picture import svg
+from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg, svg
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import call_sites, open_choices, ports_by_pin
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
@@ -42,8 +42,8 @@ def _parts(plan: migration.MigrationPlan) -> Iterator[str]:
     yield f"<p><b>{quoted(plan.name)}</b> for {quoted(board)}: {served}</p>"
     work = (quantity(left, "choice"), quantity(len(plan.tasks), "task"), quantity(len(plan.findings), "finding"))
     yield f"{bar(share)}<p>{work[0]} open, {work[1]}, {work[2]}</p>"
-    if plan.circuit is not None:
-        yield picture(svg(plan.circuit, (), ports_by_pin(plan)), f"the wiring of {plan.name}")
+    if drawn := plan_svg(plan):
+        yield picture(drawn, f"the wiring of {plan.name}")
     pins = {port: pin for pin, ports in ports_by_pin(plan).items() for port in ports}
     ports = [[quoted(b.name), quoted(pins.get(str(b.name), "")), *_decision(b), quoted(reason(b))] for b in plan.portBindings]
     if ports:

@@ -17,7 +17,7 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.report.document import place_of
-from robosmi.transformations.m2t.circuits.circuit_picture import svg
+from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, result_in_words, task_place
 from robosmi.transformations.m2t.move_text import move_text
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, known_differences
@@ -327,15 +327,16 @@ def wiring(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
     ]  # fmt: skip
     drawn = {c.pin.label for c in plan.connections if c.pin is not None}
     rows += [(label, "", "", "", ", ".join(names)) for label, names in ports.items() if label not in drawn]
-    picture = svg(plan.circuit, wrong, ports).partition("?>")[2].lstrip() if plan.circuit is not None else ""
+    picture = plan_svg(plan, wrong).partition("?>")[2].lstrip()
     both = moved_wiring(plan)
     if both is not None and not plan.connections:
         rows = []
-    return {"rows": rows, "picture": picture, "wires": _wires(plan, sources, wrong) if picture else [], "both": both}
+    wires = _wires(plan, sources, wrong) if picture else []
+    return {"rows": rows, "picture": picture, "presumed": plan.circuit is None, "wires": wires, "both": both}
 
 
 def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]) -> list[dict[str, Json]]:
-    """For each pin of the board that something is wired to: its parts, ports, source lines and findings."""
+    """For each pin of the board with a wire or a port: its parts, ports, source lines and findings."""
     parts: dict[str, list[str]] = {}
     elements: dict[str, set[str]] = {}
     for wire in plan.connections:
@@ -348,6 +349,8 @@ def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
     for binding in plan.portBindings:
         for pin in _pins_of(binding):
             used.setdefault(pin, []).append(binding)
+            if plan.circuit is None:
+                parts.setdefault(pin, []).append(str(binding.what or binding.name))
     calls: dict[int, list[ccode.Located]] = {}
     for flow in plan.portFlows:
         for binding in flow.bindings:
@@ -361,7 +364,7 @@ def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
             "findings": [
                 finding_row(f)
                 for f in findings
-                if f.evidence.get("model_index") in elements[pin] or re.search(rf"\b{re.escape(pin)}\b", f.message)
+                if f.evidence.get("model_index") in elements.get(pin, ()) or re.search(rf"\b{re.escape(pin)}\b", f.message)
             ],
         }
         for pin, titles in sorted(parts.items(), key=lambda item: natural_key(item[0]))

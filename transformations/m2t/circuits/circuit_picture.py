@@ -28,7 +28,7 @@ from msgspec import Struct
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Severity
 from robosmi.generate import Gen
-from robosmi.metamodels import hardware
+from robosmi.metamodels import hardware, migration
 from robosmi.transformations.m2t.circuits.circuit_layout import (
     HEAD,
     Box,
@@ -42,6 +42,8 @@ from robosmi.transformations.m2t.circuits.circuit_layout import (
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key, pins_of
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.drawn_symbols import outline_of, places_at, plain_name, symbol_of
+from robosmi.transformations.queries.plans.plan import ports_by_pin
+from robosmi.transformations.queries.plans.presumed_circuit import presumed_circuit
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
@@ -70,7 +72,10 @@ class Picture:
 
 
 def circuit_picture(
-    circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapping[str, Sequence[str]] | None = None
+    circuit: hardware.Circuit,
+    findings: Iterable[Finding] = (),
+    ports: Mapping[str, Sequence[str]] | None = None,
+    unwired: bool = False,
 ) -> Picture:
     """The contents of a circuit's picture, not arranged yet.
 
@@ -78,8 +83,9 @@ def circuit_picture(
         circuit: what to draw.
         findings: about it; each is marked at its component, pin or net.
         ports: label of a board's pin -> the ports of the source that it became.
+        unwired: draw what no wire leads to, too, and do not only list it.
     """
-    return _Drawing(circuit, marks(circuit, findings), ports or {}).picture()
+    return _Drawing(circuit, marks(circuit, findings), ports or {}, unwired).picture()
 
 
 def picture_svg(picture: Picture) -> str:
@@ -92,9 +98,24 @@ def picture_svg(picture: Picture) -> str:
     return Gen().text("circuit/picture.svg.j2", width=width, height=height, **what)
 
 
-def svg(circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapping[str, Sequence[str]] | None = None) -> str:
+def svg(
+    circuit: hardware.Circuit,
+    findings: Iterable[Finding] = (),
+    ports: Mapping[str, Sequence[str]] | None = None,
+    unwired: bool = False,
+) -> str:
     """The picture of a circuit as SVG; see `circuit_picture`."""
-    return picture_svg(circuit_picture(circuit, findings, ports))
+    return picture_svg(circuit_picture(circuit, findings, ports, unwired))
+
+
+def plan_svg(plan: migration.MigrationPlan, findings: Iterable[Finding] = ()) -> str:
+    """The picture of a plan's circuit with the source's ports at their pins; without a drawing, that of what the program uses.
+
+    Returns:
+        The picture as SVG; empty where there is neither a drawing nor a port.
+    """
+    circuit = plan.circuit if plan.circuit is not None else presumed_circuit(plan)
+    return svg(circuit, findings, ports_by_pin(plan), unwired=plan.circuit is None) if circuit is not None else ""
 
 
 def _about(picture: Picture) -> str:
@@ -106,8 +127,8 @@ def _about(picture: Picture) -> str:
 class _Drawing:
     """Builds the contents of one picture."""
 
-    def __init__(self, circuit: hardware.Circuit, found: Marks, ports: Mapping[str, Sequence[str]]) -> None:
-        self.circuit, self.marks, self.ports = circuit, found, ports
+    def __init__(self, circuit: hardware.Circuit, found: Marks, ports: Mapping[str, Sequence[str]], unwired: bool) -> None:
+        self.circuit, self.marks, self.ports, self.unwired = circuit, found, ports, unwired
         self.result = Picture(_short(circuit.name, 80))
         self.rows: dict[hardware.Connector, Place] = {}
         self.rails = rail_names(net for net in circuit.nets if net.rail)
@@ -122,7 +143,7 @@ class _Drawing:
         far = _distances(shown)
         for component in sorted(shown, key=lambda c: (far[c], natural_key(c.elementId))):
             box = self._box(component, *far[component])
-            if box.rows:
+            if box.rows or self.unwired:
                 self.result.boxes.append(box)
             else:
                 loose.append(_name(component))
@@ -188,7 +209,7 @@ class _Drawing:
         if lines:
             box.edge = lines[0].colour
         box.symbol, box.paint = symbol_of(component)
-        groups = _groups(component)
+        groups = _groups(component, every=self.unwired and component.role is not hardware.Role.Board)
         plain = component.role is hardware.Role.Passive and len(groups) <= _ENDS
         for text, connectors in groups:
             net = connectors[0].net
@@ -204,7 +225,7 @@ class _Drawing:
             if component.role is hardware.Role.Board:
                 row.pin, row.ports = connectors[0].pin, ", ".join(self.ports.get(connectors[0].pin, ()))
             box.rows.append(row)
-        if box.is_board and box.rows:
+        if box.is_board:
             _set_outline(box, component, [connectors[0].pin or text for text, connectors in groups])
         return box
 
@@ -329,14 +350,14 @@ def _signals(component: hardware.Component) -> list[hardware.Net]:
     return [c.net for c in component.connectors if c.net is not None and not c.net.rail]
 
 
-def _groups(component: hardware.Component) -> list[tuple[str, Sequence[hardware.Connector]]]:
-    """The connected connectors of a component, grouped by name and net; a board's pins first, in their order."""
+def _groups(component: hardware.Component, every: bool) -> list[tuple[str, Sequence[hardware.Connector]]]:
+    """The connected connectors of a component, or all, grouped by name and net; a board's pins first, in their order."""
     found: dict[tuple[str, int], list[hardware.Connector]] = {}
     pins = [c for connectors in pins_of(component).values() for c in connectors]
     same = {id(c.net): c.pin for c in reversed(pins)}  # ICSP MOSI of a board is its D11
     others = [c for c in component.connectors if not c.pin]
     for connector in (*pins, *others):
-        if connector.net is not None and any(c.component is not component for c in connector.net.connectors):
+        if every or (connector.net is not None and any(c.component is not component for c in connector.net.connectors)):
             text = connector.pin or same.get(id(connector.net)) or displayed_name(connector) or connector.connectorId
             found.setdefault((text, id(connector.net)), []).append(connector)
     return [(text, connectors) for (text, _), connectors in found.items()]
