@@ -9,8 +9,9 @@ from collections.abc import Iterator
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration
-from robosmi.query import ancestor_of_kind
+from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, names_its_ports, negative_uses_of, pin_uses_of
 from robosmi.transformations.queries.flows.pointed_calls import called_name
 from robosmi.transformations.queries.flows.pointers import pointed_functions
@@ -19,6 +20,7 @@ from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.waiting_calls import lacks_pin
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.register_bits import register_bits
+from robosmi.transformations.queries.programs.main_locals import is_constant
 from robosmi.validate import Fail
 
 _SHOWN = 4
@@ -149,3 +151,50 @@ def _by_address(reference: ccode.NameReference) -> bool:
     if isinstance(outer, ccode.Cast):
         return outer.target is not None and str(outer.target.spelling).rstrip().endswith("&")
     return isinstance(outer, ccode.Unary) and str(outer.operator) == "&"
+
+
+@units.constraint(
+    id="RS351", severity=Severity.warning, location=place,
+    advice="use what the platform offers for this, by its name; write down what is at the address on the source",
+)  # fmt: skip
+def NoAddressIsANumber(u: ccode.SourceUnit) -> bool | Fail:
+    """No pointer through which the program reads or writes is made of a number, since something else is there on the target."""
+    m = the_move()
+    view = m.view(u)
+    if retains_platform(m.plan):
+        return True
+    here = [cast for cast in view.of_kind(ccode.Cast) if _is_pointer(cast.target) and _is_used(cast) and _is_number(view, cast)]
+    wrong = f"the program uses a fixed address, where the target has something else ({in_lines(here)})"
+    return not here or Fail(wrong, places=tuple(here))
+
+
+def _is_pointer(kind: ccode.TypeUse | None) -> bool:
+    return kind is not None and int(kind.pointerDepth) > 0
+
+
+def _is_used(cast: ccode.Cast) -> bool:
+    """Whether a pointer is looked through where it is made, or kept; one that is compared or handed on is often a mark only."""
+    outer = cast.eContainer()
+    while isinstance(outer, ccode.Binary) and outer.operator in ("+", "-"):
+        outer = outer.eContainer()
+    if isinstance(outer, (ccode.Assignment, ccode.Variable, ccode.InitializerList)):
+        return not _is_sentinel(cast)
+    through = isinstance(outer, ccode.Unary) and outer.operator == "*"
+    return through or (isinstance(outer, ccode.Member) and bool(outer.arrow)) or isinstance(outer, ccode.Index)
+
+
+def _is_sentinel(cast: ccode.Cast) -> bool:
+    """Whether a kept pointer is null, all ones, or to nothing in particular."""
+    kind = cast.target
+    assert kind is not None
+    of_nothing = str(kind.spelling).startswith("void") or isinstance(cast.operand, ccode.Unary)
+    return of_nothing or (isinstance(cast.operand, ccode.IntegerLiteral) and cast.operand.text.strip("0xXuUlL") == "")
+
+
+def _is_number(view: CodeView, cast: ccode.Cast) -> bool:
+    """Whether the value of a cast is a number that the text alone gives, and no address."""
+    operand = cast.operand
+    if operand is None or any(isinstance(each, (ccode.StringLiteral, ccode.Cast)) for each in all_contents(operand)):
+        return False
+    found = view.values.of(operand)
+    return is_constant(operand) or (bool(found) and all(value.number is not None for value in found))

@@ -334,7 +334,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 rule="RS504", severity=Level.warning, effort="small", message=f"write what could not be read: {finding.message}",
                 fix=finding.fix, path=finding.path, line=finding.line, column=finding.column,
             )  # fmt: skip
-        elif finding.rule in ("RS312", "RS337", "RS342", "RS350"):
+        elif finding.rule in ("RS312", "RS337", "RS342", "RS350", "RS351"):
             yield Task(
                 rule="RS504",
                 severity=Level.warning,

@@ -122,7 +122,7 @@ def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.Pla
 
 
 _TASKS = {
-    "RS101": "RS504", "RS312": "RS504", "RS337": "RS504", "RS342": "RS504", "RS350": "RS504",
+    "RS101": "RS504", "RS312": "RS504", "RS337": "RS504", "RS342": "RS504", "RS350": "RS504", "RS351": "RS504",
     "RS103": "RS503", "RS107": "RS503", "RS109": "RS501",
 }  # fmt: skip
 """Rule of a finding -> rule of the task that says the same and what to do about it."""

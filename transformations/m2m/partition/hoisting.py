@@ -20,6 +20,7 @@ HOIST, SPLIT, BESIDE = "hoist-local", "hoist-local-split", "hoist-local-beside"
 _AUTOMATIC = re.compile(rb"\b(?:register\b\s*|auto\s+(?!\w+\s*[=({]))")
 """Matches storage classes of locals; `auto` with nothing but a name behind it is the type of C++."""
 _CONST = re.compile(rb"\bconst\b\s*")
+_CLOSING = re.compile(rb"\s*\)")
 
 
 def hoist(moved: MovedDeclaration, verdicts: Mapping[ccode.Variable, migration.Disposition], text: SourceText) -> None:
@@ -76,7 +77,7 @@ def _assignments(moved: MovedDeclaration, text: SourceText) -> Iterator[Replacem
         yield Replacement(position, name, "; " if number else "")
         if not text.blank(behind, value):  # the rest of a declarator, as of a pointer to a function
             yield Replacement(behind, value, " ")
-        position = int(variable.initializer.endOffset)
+        position = _value_end(variable.initializer, value, text.data)
     rest = text.data.find(b";", position)
     if rest > position and not text.blank(position, rest):
         yield Replacement(position, rest, "")
@@ -92,7 +93,7 @@ def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacemen
         name = name_place(variable, data)
         if variable in moved.assigned and variable.initializer is not None:
             value = data.rfind(b"=", name, int(variable.initializer.startOffset))
-            yield Replacement(len(data[:value].rstrip()), int(variable.initializer.endOffset), "")
+            yield Replacement(len(data[:value].rstrip()), _value_end(variable.initializer, value, data), "")
             star = data.rfind(b"*", before, name)
             if star >= 0:
                 yield from (Replacement(*m.span(), "") for m in _CONST.finditer(data, star, name))
@@ -101,6 +102,15 @@ def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacemen
         before = int(variable.endOffset)
     if plain:
         yield from (Replacement(*m.span(), "") for m in _CONST.finditer(data, begin, specifiers))
+
+
+def _value_end(initializer: ccode.Expression, equals: int, data: bytes) -> int:
+    """Where an initial value ends: behind the parentheses around it, which are no part of the expression."""
+    start, end = int(initializer.startOffset), int(initializer.endOffset)
+    for _ in range(data.count(b"(", equals, start)):
+        closing = _CLOSING.match(data, end)
+        end = closing.end() if closing else end
+    return end
 
 
 def _moved(moved: MovedDeclaration, source: SourceText) -> tuple[int, int, tuple[int, int]]:

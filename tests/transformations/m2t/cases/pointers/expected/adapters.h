@@ -5,7 +5,7 @@
 #include <Arduino.h>
 
 // void input_pair(int *, int *)
-// called in line 19
+// called in line 20
 // no header declares it: its signature is inferred from the calls
 void input_pair(int32_t *argument1, int32_t *argument2) {
   // TODO: complete method
@@ -14,7 +14,7 @@ void input_pair(int32_t *argument1, int32_t *argument2) {
 }
 
 // void register_handler(void *)
-// called in line 20
+// called in line 21
 // no header declares it: its signature is inferred from the calls
 void register_handler(void (*argument1)(int32_t)) {
   // TODO: complete method

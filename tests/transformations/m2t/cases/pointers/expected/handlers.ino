@@ -15,14 +15,16 @@ int32_t compare(const void *a, const void *b) { return *(const int32_t *)a - *(c
 int32_t low_ = 0, high_ = 0;
 int32_t *best;
 handler chosen;
+int32_t *same, *other;
 
 void setup() {
   best = &seen[1];
   chosen = note;
+  same = (&low_); other = ( /* ( */ (&high_));
 }
 
 void loop() {
-  apply(chosen, *best);
+  apply(chosen, *best + *same + *other);
   apply(&note, 2);
   qsort(seen, 4, sizeof(int32_t), [](const void *a, const void *b) -> int { int32_t order = compare(a, b); return (order > 0) - (order < 0); });
   input_pair(&low_, &high_);

@@ -12,8 +12,9 @@ int main()
   int low_ = 0, high_ = 0;
   int *best = &seen[1];
   handler chosen = note;
+  int *same = (&low_), *other = ( /* ( */ (&high_));
   while (1) {
-    apply(chosen, *best);
+    apply(chosen, *best + *same + *other);
     apply(&note, 2);
     qsort(seen, 4, sizeof(int), compare);
     input_pair(&low_, &high_);
