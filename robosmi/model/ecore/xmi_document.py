@@ -52,7 +52,8 @@ class Document(Struct):
     Attributes:
         path: absolute.
         roots: the root elements.
-        ids: xmi:id or value of the ID attribute -> element.
+        ids: xmi:id or value of the ID attribute -> element, the first one of several.
+        shared_ids: ids of several elements -> the line of the second.
         references: element, entry, URIs, line, whether the text is one URI: what is still to be linked.
         parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
         counted: elements whose class bounds the number of values, with their lines.
@@ -68,6 +69,7 @@ class Document(Struct):
     path: Path
     roots: list[DynamicEObject] = []
     ids: dict[str, DynamicEObject] = {}
+    shared_ids: dict[str, int] = {}
     references: list[tuple[EObject, FeatureEntry, str, int, bool]] = []
     parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
     counted: list[tuple[EObject, ClassPlan, int]] = []

@@ -111,9 +111,14 @@ class Builder:
         else:
             child_slots[key_of(entry.back)] = new_slot(ReferenceValue, child, entry.back, element)
 
+    def at(self) -> int:
+        """The current line."""
+        line: int = self.expat.CurrentLineNumber
+        return line
+
     def here(self, text: str) -> None:
         """Note a problem at the current line."""
-        self.problem(self.expat.CurrentLineNumber, text)
+        self.problem(self.at(), text)
 
     def child_plan(self, entry: FeatureEntry, attributes: dict[str, str]) -> ClassPlan | None:
         """The plan of a contained element: of the type that the file names, else of the declared one."""
@@ -208,7 +213,7 @@ class Builder:
     def identify(self, text: str, child: DynamicEObject) -> None:
         """Note an element's id."""
         if self.document.ids.setdefault(text, child) is not child:
-            self.here(f"the id '{text}' is used twice")
+            self.document.shared_ids.setdefault(text, self.at())
 
     def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> None:
         """Set a value, or add one to many; None is xsi:nil."""
