@@ -7,6 +7,7 @@ or downloaded). The parser uses a stack of its own instead of recursion.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from xml.parsers import expat
 
@@ -15,6 +16,17 @@ from robosmi.errors import SourceError
 
 _XSI = ("http://www.w3.org/2001/XMLSchema-instance", "http://www.omg.org/XMI", "http://schema.omg.org/spec/XMI/2.1")
 _SEPARATOR = "\x1f"
+
+
+def unclosed(data: bytes, encoding: str | None = None) -> tuple[str, int]:
+    """Name and line of the element that is open where another end tag stands; the file was found to have one there."""
+    open_elements: list[tuple[str, int]] = []
+    parser = expat.ParserCreate(encoding)
+    parser.StartElementHandler = lambda name, _: open_elements.append((name, parser.CurrentLineNumber))
+    parser.EndElementHandler = lambda _: open_elements.pop()
+    with suppress(expat.ExpatError):
+        parser.Parse(data, True)
+    return open_elements[-1]
 
 
 class EcoreNode:
@@ -124,10 +136,12 @@ def read_nodes(data: bytes, path: Path) -> EcoreNode:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
+        cause, fix = expat.errors.messages[error.code], "give a metamodel in XMI"
+        if cause == expat.errors.XML_ERROR_TAG_MISMATCH:
+            name, line = unclosed(data)
+            cause, fix = f"<{name}> of line {line} is not closed", f"write </{name}> where it ends"
         raise SourceError(
-            f"not well-formed XML: {expat.errors.messages[error.code]}",
-            location=Location(str(path), error.lineno, error.offset + 1),
-            fix="give a metamodel in XMI",
+            f"not well-formed XML: {cause}", location=Location(str(path), error.lineno, error.offset + 1), fix=fix
         ) from error
     except (LookupError, ValueError) as error:  # an encoding that Python does not know or that has several bytes
         raise SourceError(

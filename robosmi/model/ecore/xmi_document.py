@@ -28,14 +28,23 @@ XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/(
 
 
 class Unreadable(Exception):
-    """The file cannot be read as a model at all; `namespace` is that of its root if no metamodel has it."""
+    """The file cannot be read as a model at all.
 
-    def __init__(self, text: str, line: int, fix: str = NO_MODEL, namespace: str = "") -> None:
+    Args:
+        text: why.
+        line: where.
+        fix: what to do.
+        namespace: that of its root if no metamodel has it.
+        sure_to: the last line up to which other problems of the file are none of this one's; None for all.
+    """
+
+    def __init__(self, text: str, line: int, fix: str = NO_MODEL, namespace: str = "", sure_to: int | None = None) -> None:
         super().__init__(text)
         self.text = text
         self.line = line
         self.fix = fix
         self.namespace = namespace
+        self.sure_to = sure_to
 
 
 class UnknownEncoding(Unreadable):

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
 from robosmi.errors import did_you_mean
+from robosmi.model.ecore.ecore_xml import unclosed
 from robosmi.model.ecore.xmi_document import (
     XMI_NAMESPACES,
     Document,
@@ -339,6 +340,10 @@ class _Parser(Builder):
             if not data.strip():
                 raise Unreadable("the file is empty", 1) from None
             cause = expat.errors.messages.get(error.code, str(error))
+            if cause == expat.errors.XML_ERROR_TAG_MISMATCH:
+                name, line = unclosed(data, encoding)
+                said = f"not well-formed XML: <{name}> of line {line} is not closed"
+                raise Unreadable(said, error.lineno, f"write </{name}> where it ends", sure_to=line) from None
             raise Unreadable(f"not well-formed XML: {cause}", error.lineno) from None
         except (LookupError, ValueError) as error:  # pyexpat on encodings that Python does not know, or that have no table
             if parser.StartElementHandler is not self.start or self.document.roots:

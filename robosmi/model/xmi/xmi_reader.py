@@ -271,6 +271,8 @@ class _Reader:
             return self.ecore(path, referrer or Location(place))
         except Unreadable as error:
             self._refused.add(path)
+            if error.sure_to is not None:  # what an unclosed element seems to contain is not its own
+                self.problems = [each for each in self.problems if each[0].path != place or (each[0].line or 0) <= error.sure_to]
             text, fix = (error.text, error.fix) if error.fix else self._unknown(error)
             self.give_up(Location(place, error.line), text, fix)
             return None
