@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import robosmi
 from robosmi.errors import ModelError
 from robosmi.model import Session, open_model
 from robosmi.model.elements.driver import Model
@@ -14,6 +15,7 @@ from robosmi.model.emf import EmfModel
 
 HERE = Path(__file__).parent
 HALL, SHELF = HERE / "shared_ids" / "hall.xmi", HERE / "drivers" / "cases" / "emf" / "shelf.ecore"
+OTHERWISE = pytest.mark.emf_writes_otherwise("EMF lets references by a shared id lead to the last element")
 
 
 @pytest.fixture
@@ -28,7 +30,7 @@ def facts(model: Model) -> list[tuple[str, object, object]]:
     return [(book.name, book.author and book.author.name, book is newest) for book in model.Book.all]
 
 
-@pytest.mark.emf_writes_otherwise("EMF lets references by a shared id lead to the last element")
+@OTHERWISE
 def test_they_are_read_with_a_finding_and_stay_as_they_are(file: Path) -> None:
     model = EmfModel.load(file, SHELF)
     assert facts(model) == [("Gears", "Ada", True), ("Zap", None, False), ("Last", None, False)]
@@ -41,7 +43,7 @@ def test_they_are_read_with_a_finding_and_stay_as_they_are(file: Path) -> None:
         open_model(file, metamodel=SHELF, strict=True)
 
 
-@pytest.mark.emf_writes_otherwise("EMF lets references by a shared id lead to the last element")
+@OTHERWISE
 @pytest.mark.parametrize("name", ["hall.xmi", "new.xmi", "new.json", "new.yaml"])
 def test_an_edit_leads_to_the_element_that_it_names_whatever_its_id(name: str, file: Path) -> None:
     model = Session().open_model(file, metamodel=SHELF)
@@ -71,3 +73,16 @@ def test_an_id_that_a_program_gives_twice_is_refused(file: Path) -> None:
     with pytest.raises(ModelError, match="has the id 'n', and so has"):
         model.save()
     assert file.read_bytes() == HALL.read_bytes()
+
+
+@OTHERWISE
+def test_models_are_matched_by_what_else_their_elements_have(file: Path) -> None:
+    base, a, b = (Path(shutil.copy(file, file.with_name(f"{name}.xmi"))) for name in ("base", "a", "b"))
+    a.write_text(a.read_text(encoding="utf-8").replace('name="Zap" pages="48"', 'name="Zap" pages="50"'), encoding="utf-8")
+    b.write_text(b.read_text(encoding="utf-8").replace('pages="120"', 'pages="99"'), encoding="utf-8")
+    changes = robosmi.compare(base, a, metamodel=SHELF).changes
+    assert [(change.kind, change.feature, change.before, change.after) for change in changes] == [("changed", "pages", 48, 50)]
+    merged = robosmi.merge(base, a, b, metamodel=SHELF)
+    assert not merged.conflicts
+    merged.model.save(file)
+    assert [book.pages for book in EmfModel.load(file, SHELF).Book.all] == [99, 50, 48]
