@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
 from robosmi.errors import did_you_mean
-from robosmi.model.ecore.ecore_xml import unclosed
+from robosmi.model.ecore.ecore_xml import fault_of
 from robosmi.model.ecore.xmi_document import (
+    NO_MODEL,
     XMI_NAMESPACES,
     Document,
     Foreign,
@@ -114,8 +115,7 @@ class Builder:
 
     def at(self) -> int:
         """The current line."""
-        line: int = self.expat.CurrentLineNumber
-        return line
+        return int(self.expat.CurrentLineNumber)
 
     def here(self, text: str) -> None:
         """Note a problem at the current line."""
@@ -339,12 +339,8 @@ class _Parser(Builder):
         except expat.ExpatError as error:
             if not data.strip():
                 raise Unreadable("the file is empty", 1) from None
-            cause = expat.errors.messages.get(error.code, str(error))
-            if cause == expat.errors.XML_ERROR_TAG_MISMATCH:
-                name, line = unclosed(data, encoding)
-                said = f"not well-formed XML: <{name}> of line {line} is not closed"
-                raise Unreadable(said, error.lineno, f"write </{name}> where it ends", sure_to=line) from None
-            raise Unreadable(f"not well-formed XML: {cause}", error.lineno) from None
+            text, fix, sure_to = fault_of(error, data, NO_MODEL, encoding)
+            raise Unreadable(text, error.lineno, fix, sure_to=sure_to) from None
         except (LookupError, ValueError) as error:  # pyexpat on encodings that Python does not know, or that have no table
             if parser.StartElementHandler is not self.start or self.document.roots:
                 raise
