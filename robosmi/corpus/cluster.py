@@ -28,8 +28,10 @@ from robosmi.errors import MissingToolError, SourceError
 _CONNECT_S = 30.0
 _REACH_S = 5.0
 """Seconds after which an address that does not answer has no scheduler."""
-_AHEAD = 8
-"""Jobs in the cluster for each of its threads, so that none idles and nothing piles up."""
+_AHEAD = 4
+"""Batches in the cluster for each of its threads, so that none idles and nothing piles up."""
+_BATCH_S, _BATCH = 0.25, 16
+"""About the seconds that a batch takes, and the most jobs in it: Dask spends 10 ms on a task, half an analysis."""
 _LOOK_S = 0.01
 """Seconds between two looks for a result."""
 _WORKERS_S = 5.0
@@ -41,13 +43,16 @@ _over: set[str] = set()
 """Runs that have ended."""
 
 
-def run_one(data: bytes, steps: tuple[str, ...], run: str) -> bytes:
-    """Run one job on a Dask worker, in a worker process that its thread keeps for the run.
+def run_batch(data: bytes, steps: tuple[str, ...], run: str) -> bytes:
+    """Run jobs on a Dask worker, in a worker process that its thread keeps for the run.
 
     Args:
-        data: the job as JSON.
+        data: the jobs as JSON.
         steps: names of the steps.
         run: names the run.
+
+    Returns:
+        The results as JSON; those of the first jobs, if these take long.
 
     Raises:
         Stopped: the run is over.
@@ -58,7 +63,13 @@ def run_one(data: bytes, steps: tuple[str, ...], run: str) -> bytes:
     if (process := kept.get(run)) is None:
         process = kept[run] = WorkerProcess(steps)
         _processes.setdefault(run, []).append(process)
-    return msgspec.json.encode(process.run(msgspec.json.decode(data, type=ProgramJob)))
+    results = []
+    until = time.monotonic() + _BATCH_S
+    for job in msgspec.json.decode(data, type=list[ProgramJob]):
+        results.append(process.run(job))
+        if time.monotonic() > until:
+            break
+    return msgspec.json.encode(results)
 
 
 def end_run(run: str) -> None:
@@ -112,32 +123,31 @@ def run_on_cluster(
     run = uuid4().hex
     try:
         workers = _Workers(client, scheduler)
-        waiting = iter(jobs)
-        under_way: dict[str, tuple[Any, ProgramJob]] = {}
+        waiting = _Waiting(jobs)
+        under_way: dict[str, tuple[Any, list[ProgramJob]]] = {}
 
-        def submit(some: Iterable[ProgramJob]) -> list[Any]:
-            made = []
-            for job in some:
-                future = client.submit(
-                    run_one, msgspec.json.encode(job), tuple(steps), run, pure=False, retries=1, workers=workers.right
-                )  # fmt: skip
-                under_way[future.key] = (future, job)
-                made.append(future)
-            return made
+        def submit(batch: list[ProgramJob]) -> Any:
+            future = client.submit(
+                run_batch, msgspec.json.encode(batch), tuple(steps), run, pure=False, retries=1, workers=workers.right
+            )  # fmt: skip
+            under_way[future.key] = (future, batch)
+            return future
 
-        results = distributed.as_completed(
-            submit(islice(waiting, workers.threads * _AHEAD)), loop=client.loop, raise_errors=False
-        )  # fmt: skip
+        def fill() -> Iterator[Any]:
+            while len(under_way) < workers.threads * _AHEAD and (batch := waiting.batch()):
+                yield submit(batch)
+
+        results = distributed.as_completed(list(fill()), loop=client.loop, raise_errors=False)
         looked = time.monotonic()
         while under_way and not (stop is not None and stop.is_set()):
             if not results.has_ready() and not results.is_empty():
                 time.sleep(_LOOK_S)
                 if time.monotonic() - looked > _WORKERS_S:
                     if workers.replaced():  # the jobs wait for workers that will not come back
-                        jobs_again = [job for _, job in under_way.values()]
+                        waiting.again(job for _, batch in under_way.values() for job in batch)
                         client.cancel([future for future, _ in under_way.values()])
                         under_way.clear()
-                        results.update(submit(jobs_again))
+                        results.update(list(fill()))
                     looked = time.monotonic()
                 continue
             try:
@@ -145,19 +155,25 @@ def run_on_cluster(
             except StopIteration:
                 break
             if (known := under_way.pop(future.key, None)) is None:
-                continue  # it was cancelled and its job is submitted again
+                continue  # it was cancelled and its jobs are submitted again
+            batch = known[1]
             if future.status == "finished":
-                yield msgspec.json.decode(future.result(), type=ProgramResult)
+                done = msgspec.json.decode(future.result(), type=list[ProgramResult])
+                waiting.again(batch[len(done) :])
+                waiting.learn(done)
+                yield from done
             elif future.status == "cancelled" or client.status != "running":
                 raise lost
             elif future.status in ("pending", "lost"):  # its result died with its worker, and another one computes it again
                 under_way[future.key] = known
                 results.add(future)
                 continue
+            elif len(batch) > 1:  # one of them ends the workers
+                results.update([submit([job]) for job in batch])
             else:
-                yield ProgramResult(known[1].work.id, SKIPPED, message=f"the cluster gave it up: {future.exception()}")
+                yield ProgramResult(batch[0].work.id, SKIPPED, message=f"the cluster gave it up: {future.exception()}")
             future.release()
-            results.update(submit(islice(waiting, 1)))
+            results.update(list(fill()))
             looked = time.monotonic()
         else:
             under_way.clear()  # all have ended, or are not wanted
@@ -170,6 +186,35 @@ def run_on_cluster(
             with suppress(Exception):  # what cannot be ended ends with its program
                 client.run(end_run, run, on_error="ignore")
         client.close(timeout=2)
+
+
+class _Waiting:
+    """Jobs that wait, taken in batches: several where they are short.
+
+    Args:
+        jobs: taken from as batches are.
+    """
+
+    def __init__(self, jobs: Iterable[ProgramJob]) -> None:
+        self._again: list[ProgramJob] = []
+        self._jobs = iter(jobs)
+        self._seconds = _BATCH_S
+        """What a program takes, the last ones above all."""
+
+    def batch(self) -> list[ProgramJob]:
+        """The next jobs; none at the end."""
+        size = min(max(int(_BATCH_S / max(self._seconds, 1e-3)), 1), _BATCH)
+        taken, self._again = self._again[:size], self._again[size:]
+        return [*taken, *islice(self._jobs, size - len(taken))]
+
+    def again(self, jobs: Iterable[ProgramJob]) -> None:
+        """Put back jobs that were not run."""
+        self._again += jobs
+
+    def learn(self, results: Iterable[ProgramResult]) -> None:
+        """Look at what programs took."""
+        for result in results:
+            self._seconds += (result.seconds - self._seconds) / 8
 
 
 async def _greet(distributed: Any, scheduler: str) -> None:

@@ -149,3 +149,13 @@ class ProgramResult(Struct):
             for table, rows in step.rows.items():
                 found[table] = [*found.get(table, ()), *rows] if table == "findings" else list(rows)
         return found
+
+
+def too_much(megabytes: int) -> str:
+    """Why a program is too large that needs more memory than its limit, and what to do."""
+    return f"it needs more than {megabytes} MB (raise megabytes in [limits])"
+
+
+def too_long(seconds: float) -> str:
+    """Why a program that is not done in time is not, and what to do."""
+    return f"it takes longer than {seconds:g} s (raise seconds in [limits])"

@@ -321,9 +321,10 @@ class CorpusRun:
         failures = ", ".join(f"'{state}'" for state in FAILURES)
         sql = f"SELECT id, path, state, step, message FROM programs WHERE listed AND state IN ({failures}) ORDER BY id"
         for name, path, state, step, message in store.query(f"{sql} LIMIT {SHOWN}").rows:
+            todo = "correct the program" if state == FAILED else "follow the message's advice"
             self.findings.append(Finding(
                 "RS920", Severity.error, f"'{name}': {state}{f' at the step {step}' if step else ''}: {message}",
-                Location(path), element=name, fix="correct the program or raise [limits]; --retry runs it again as it is",
+                Location(path), element=name, fix=f"{todo}; --retry {state} runs it again as it is",
             ))  # fmt: skip
         if summary.failed + summary.timeout + summary.too_large > SHOWN:
             self.findings.append(_more("programs failed", "failed", Severity.error, "RS920"))

@@ -29,7 +29,7 @@ import msgspec
 
 from robosmi.corpus import memory
 from robosmi.corpus.digests import digest_of, tool_version
-from robosmi.corpus.jobs import OutsideError, ProgramJob, ProgramStep, Row
+from robosmi.corpus.jobs import OutsideError, ProgramJob, ProgramStep, Row, too_much
 from robosmi.corpus.output_folders import begin_with
 from robosmi.corpus.states import DONE, FAILED, SKIPPED, TOO_LARGE
 from robosmi.errors import MissingToolError, RobosmiError, TooLargeError
@@ -133,7 +133,7 @@ def _run_steps(job: ProgramJob, send: Send) -> None:
                 begin_with(work.output)
             done.rows = {table: list(rows) for table, rows in content("chain", f"corpus_{step}")(work).items()}
         except MemoryError:
-            done.state, done.message = TOO_LARGE, f"it needs more than {job.limits.of(step).megabytes} MB"
+            done.state, done.message = TOO_LARGE, too_much(job.limits.of(step).megabytes)
         except (Exception, SystemExit) as error:
             done.state, done.message = state_of(error), message_of(error)
         done.seconds, done.peak_mb = time.perf_counter() - started, memory.growth_mb(before)

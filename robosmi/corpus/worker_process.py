@@ -20,7 +20,7 @@ from typing import Any
 import msgspec
 
 from robosmi.corpus import memory
-from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramStep
+from robosmi.corpus.jobs import ProgramJob, ProgramResult, ProgramStep, too_long, too_much
 from robosmi.corpus.states import FAILED, SKIPPED, TIMEOUT, TOO_LARGE
 from robosmi.errors import InternalError
 
@@ -145,7 +145,7 @@ class WorkerProcess:
                     raise Stopped
                 if self._process is not None and self._messages_ended():
                     return self._crashed(result, begun, started, limits.megabytes)
-                return self._killed(result, begun, started, TIMEOUT, f"it takes longer than {limits.seconds:g} s", None)
+                return self._killed(result, begun, started, TIMEOUT, too_long(limits.seconds), None)
             if "files" in message:
                 result.files = message["files"]
             elif "begin" in message:
@@ -201,7 +201,7 @@ class WorkerProcess:
         return self._killed(result, step, started, FAILED, f"the worker crashed: {cause}{said and f': {said}'}", None)
 
     def _too_large(self, result: ProgramResult, step: str, started: float, megabytes: int) -> ProgramResult:
-        return self._killed(result, step, started, TOO_LARGE, f"it needs more than {megabytes} MB", megabytes)
+        return self._killed(result, step, started, TOO_LARGE, too_much(megabytes), megabytes)
 
     def _complained(self) -> str:
         """The last line that the worker wrote to standard error."""

@@ -161,6 +161,7 @@ class EmfModel(TypedModel):
             model._home.listeners.append(model._edits)
         for other, others in model._read_with.items():
             home = Home(None, other)
+            home.shared_ids = documents[other].shared_ids
             home.listeners.append(model._edits)
             for root in others:
                 if home_of(root) is None:
@@ -168,6 +169,7 @@ class EmfModel(TypedModel):
         if place in documents:
             model.findings = documents[place].findings
             model._digest = documents[place].digest
+            model._home.shared_ids = documents[place].shared_ids
             model._schema_locations = documents[place].schema_locations
         if open_files is not None:
             open_files.add(place, model, documents)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import socket
 import subprocess
 import threading
-from collections.abc import Iterable, Iterator
+import time
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,7 +17,7 @@ from robosmi.corpus import cluster as clusters_of_dask, memory
 from robosmi.corpus.cluster import run_on_cluster
 from robosmi.corpus.jobs import Limits, ProgramJob, ProgramResult, ProgramWork
 from robosmi.corpus.schema import TABLES, VERDICTS
-from robosmi.corpus.states import DONE
+from robosmi.corpus.states import DONE, SKIPPED
 from robosmi.errors import SourceError
 from tests.corpus_runs.clusters import Process, cluster, finished, other_worker, run_with_a_lost_worker, until_lines
 from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty, stopped
@@ -117,13 +118,11 @@ def test_what_listens_and_is_no_scheduler(said: bytes, without_client: None) -> 
 
 
 class _Future:
-    """A future whose result dies with its worker once: it is pending again, and finishes when it is computed anew."""
+    """A future of a batch that has one state after the other; who adds it again waits for the next."""
 
-    def __init__(self, data: bytes) -> None:
-        self.key, self.released = "job", False
-        self.states = ["pending", "finished"]
-        job = msgspec.json.decode(data, type=ProgramJob)
-        self.done = msgspec.json.encode(ProgramResult(job.work.id, DONE))
+    def __init__(self, data: bytes, states: list[str]) -> None:
+        self.jobs = [job.work.id for job in msgspec.json.decode(data, type=list[ProgramJob])]
+        self.key, self.states, self.released = ",".join(self.jobs), states, False
 
     @property
     def status(self) -> str:
@@ -131,7 +130,10 @@ class _Future:
 
     def result(self) -> bytes:
         assert self.status == "finished", "who asks for a result that is pending waits for ever"
-        return self.done
+        return msgspec.json.encode([ProgramResult(job, DONE) for job in self.jobs])
+
+    def exception(self) -> str:
+        return "it kills workers"
 
     def release(self) -> None:
         self.released = True
@@ -160,11 +162,12 @@ class _Completed:
         return not self.ready
 
 
-def test_a_result_that_dies_with_its_worker_is_waited_for_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def _cluster_of_futures(monkeypatch: pytest.MonkeyPatch, states: Callable[[bytes], list[str]]) -> list[_Future]:
+    """Have no cluster but such futures; those that were made."""
     made: list[_Future] = []
 
     def submit(_: object, data: bytes, *__: object, **___: object) -> _Future:
-        made.append(_Future(data))
+        made.append(_Future(data, states(data)))
         return made[-1]
 
     async def greeted(*_: object) -> None:
@@ -176,10 +179,53 @@ def test_a_result_that_dies_with_its_worker_is_waited_for_again(monkeypatch: pyt
     monkeypatch.setattr(clusters_of_dask, "_greet", greeted)
     workers = SimpleNamespace(threads=1, right=None, replaced=lambda: False)
     monkeypatch.setattr(clusters_of_dask, "_Workers", lambda *_: workers)
-    job = ProgramJob(ProgramWork("a.c", "a.c"), ("analyse",), Limits())
-    (result,) = run_on_cluster("tcp://host:1", iter([job]), ("analyse",))
+    return made
+
+
+def _job(name: str) -> ProgramJob:
+    return ProgramJob(ProgramWork(name, name), ("analyse",), Limits())
+
+
+def test_a_result_that_dies_with_its_worker_is_waited_for_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = _cluster_of_futures(monkeypatch, lambda _: ["pending", "finished"])
+    (result,) = run_on_cluster("tcp://host:1", iter([_job("a.c")]), ("analyse",))
     assert (result.id, result.state) == ("a.c", DONE)
     assert [future.released for future in made] == [True]
+
+
+def test_short_programs_share_a_task_and_one_that_ends_workers_takes_none_with_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = _cluster_of_futures(monkeypatch, lambda data: ["error" if b"killer" in data else "finished"])
+    names = [f"{number}.c" for number in range(40)]
+    names[30] = "killer.c"
+    results = list(run_on_cluster("tcp://host:1", iter(map(_job, names)), ("analyse",)))
+    assert {result.id for result in results if result.state == DONE} == {*names} - {"killer.c"}
+    assert [(result.id, result.state) for result in results if result.state != DONE] == [("killer.c", SKIPPED)]
+    assert len(results) == len(names)
+    sizes = [len(future.jobs) for future in made]
+    assert sizes[:4] == [1, 1, 1, 1], "nothing is known yet"
+    assert max(sizes) > 4
+
+
+def test_what_a_slow_program_keeps_waiting_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Slow:
+        def __init__(self, _: object) -> None:
+            pass
+
+        def run(self, job: ProgramJob) -> ProgramResult:
+            time.sleep(0.02 if job.work.id == "slow.c" else 0)
+            return ProgramResult(job.work.id)
+
+        def stop(self) -> None:
+            pass
+
+    monkeypatch.setattr(clusters_of_dask, "WorkerProcess", Slow)
+    monkeypatch.setattr(clusters_of_dask, "_BATCH_S", 0.01)
+    data = msgspec.json.encode([_job("a.c"), _job("slow.c"), _job("b.c")])
+    results = msgspec.json.decode(clusters_of_dask.run_batch(data, ("analyse",), "slow"), type=list[ProgramResult])
+    assert [result.id for result in results] == ["a.c", "slow.c"]
+    waiting = clusters_of_dask._Waiting([_job("c.c")])
+    waiting.again([_job("b.c")])
+    assert [job.work.id for batch in iter(waiting.batch, []) for job in batch] == ["b.c", "c.c"]
 
 
 def test_a_scheduler_that_dies_ends_the_run_which_goes_on_later(tmp_path: Path) -> None:

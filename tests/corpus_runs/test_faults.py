@@ -48,8 +48,8 @@ def test_a_program_that_crashes_hangs_or_grows_is_a_row(tmp_path: Path) -> None:
         "h": "done",
     }  # fmt: skip
     assert "crashed: Segmentation fault" in states["b"][1]
-    assert "longer than 8 s" in states["c"][1]
-    assert "more than 600 MB" in states["d"][1]
+    assert states["c"][1] == "it takes longer than 8 s (raise seconds in [limits])"
+    assert states["d"][1] == "it needs more than 600 MB (raise megabytes in [limits])"
     assert "a fault of the step" in states["f"][1]
     assert code == 1
     result = document["result"]
@@ -122,6 +122,9 @@ def test_a_huge_file_junk_and_a_program_without_an_end_of_line(tmp_path: Path) -
     assert states["programs/blink.c"] == states["programs/wheels.c"] == "done"
     assert states["programs/sub/loop.c"] == "skipped"
     assert outcome.code == 1
+    (huge,) = [finding for finding in outcome.document["findings"] if finding["element"] == "programs/huge.c"]
+    assert "split it" in huge["message"]
+    assert "[limits]" not in huge["message"] + huge["fix"], "no limit of the run lets it in"
     again = run("corpus", "run", spec, "-o", out, "--json", "--jobs", "1")
     assert again.result["unchanged"] == again.result["programs"] - 1 == len(states) - 1
 

@@ -158,7 +158,7 @@ BAD = {
     "no_class": 1, "list_of_numbers": 1, "unknown_class": 2, "unknown_namespace": 2, "metamodel": 2, "abstract_root": 2,
     "unknown_feature": 3, "unknown_class_inside": 5, "wrong_class_inside": 5, "no_whole_number": 3, "too_big": 3,
     "list_for_one": 3, "one_for_many": 3, "object_for_value": 3, "text_for_element": 3, "reference_without_ref": 3,
-    "more_beside_ref": 10, "id_twice": 8,
+    "more_beside_ref": 10,
 }  # fmt: skip
 """Files that are refused -> the line of the fault."""
 

@@ -82,7 +82,9 @@ class ModelComparison:
     def __init__(self, before: EmfModel, after: EmfModel) -> None:
         refuse_others(before, after)
         self.findings = [*before.findings, *after.findings]
-        self._before, self._after = Facts(before), Facts(after)
+        self._before, self._after = both = (Facts(before), Facts(after))
+        for each in both:
+            each.know_ids_of(both)
         self._matching = Matching(self._before, self._after)
         self.changes: list[Difference] = [*self._of_first(), *self._added()]
 

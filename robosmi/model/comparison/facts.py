@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -37,6 +37,11 @@ class Facts:
     def __init__(self, model: EmfModel) -> None:
         self.model = model
         self.roots: list[EObject] = list(model.roots)
+        self.shared_ids: set[str] = set()
+        """Ids by which nothing is matched, since several elements of one of the models have them."""
+        for root in self.roots:
+            if (home := home_of(root)) is not None:
+                self.shared_ids.update(home.shared_ids)
         self.elements: list[EObject] = [element for root in self.roots for element in walk(root)]
         self.inside = {id(element) for element in self.elements}
         self._layouts = Layouts()
@@ -91,8 +96,9 @@ class Facts:
                 yield column.name, [child for child in self.values(element, column) if id(child) in self.inside]
 
     def id_of(self, element: EObject) -> str | None:
-        """The id of an element: its xmi:id, or the value of its class's ID attribute."""
-        return own_id(element) or None
+        """The id of an element: its xmi:id, or the value of its class's ID attribute; None if others have it, too."""
+        own = own_id(element)
+        return own if own and own not in self.shared_ids else None
 
     def key_of(self, element: EObject) -> tuple[str, ...] | None:
         """The values of its key attributes: those that the reference to it declares, else its name; None if one is missing."""
@@ -132,6 +138,11 @@ class Facts:
                 elif column.kind != VALUE or value != column.default:
                     found.append((column.name, str(compared(column, value))))
         return found
+
+    def know_ids_of(self, others: Iterable[Facts]) -> None:
+        """Match nothing by ids that several elements of another model have."""
+        for other in others:
+            self.shared_ids.update(other.shared_ids)
 
     def container_of(self, element: EObject) -> tuple[EObject | None, str]:
         """The container of an element and the feature that contains it; none for a root of the model."""

@@ -10,6 +10,7 @@ from robosmi.model.comparison.versions import A, B, ThreeModels, Versions
 from robosmi.model.elements.by_name import feature_value
 from robosmi.model.elements.ecore import EObject
 from robosmi.model.elements.element_factory import new
+from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import fill_silently, set_xmi_id, xmi_id_of
 from robosmi.model.emf import EmfModel
 from robosmi.model.xmi.xmi_layout import DETAILS, LINKS, Column
@@ -46,6 +47,9 @@ def merge_into(model: EmfModel, three: ThreeModels, merged: MergeDecisions) -> N
         merged: what was decided.
     """
     _Application(model, three, merged).run()
+    for root in model.roots:
+        if (home := home_of(root)) is not None:
+            home.shared_ids = three.facts[A].shared_ids
 
 
 class _Application:

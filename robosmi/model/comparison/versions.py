@@ -59,6 +59,8 @@ class ThreeModels:
 
     def __init__(self, base: EmfModel, a: EmfModel, b: EmfModel) -> None:
         self.facts = (Facts(base), Facts(a), Facts(b))
+        for each in self.facts:
+            each.know_ids_of(self.facts)
         self.all: list[Versions] = []
         self._known: dict[int, Versions] = {}
         self._columns: dict[type, dict[str, Column]] = {}

@@ -7,6 +7,7 @@ or downloaded). The parser uses a stack of its own instead of recursion.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from xml.parsers import expat
 
@@ -15,6 +16,36 @@ from robosmi.errors import SourceError
 
 _XSI = ("http://www.w3.org/2001/XMLSchema-instance", "http://www.omg.org/XMI", "http://schema.omg.org/spec/XMI/2.1")
 _SEPARATOR = "\x1f"
+
+
+def fault_of(error: expat.ExpatError, data: bytes, fix: str, encoding: str | None = None) -> tuple[str, str, int | None]:
+    """What is wrong with a file that is not well-formed, in words, and what to do.
+
+    Args:
+        error: the parser's.
+        data: the file.
+        fix: what to do where nothing better is known.
+        encoding: its encoding, if not the one that it declares.
+
+    Returns:
+        The text, the advice, and the line of the element that is not closed, if one is not.
+    """
+    cause = expat.errors.messages.get(error.code, str(error))
+    if cause != expat.errors.XML_ERROR_TAG_MISMATCH:
+        return f"not well-formed XML: {cause}", fix, None
+    name, line = _unclosed(data, encoding)
+    return f"not well-formed XML: <{name}> of line {line} is not closed", f"write </{name}> where it ends", line
+
+
+def _unclosed(data: bytes, encoding: str | None) -> tuple[str, int]:
+    """Name and line of the element that is open where another end tag stands."""
+    open_elements: list[tuple[str, int]] = []
+    parser = expat.ParserCreate(encoding)
+    parser.StartElementHandler = lambda name, _: open_elements.append((name, parser.CurrentLineNumber))
+    parser.EndElementHandler = lambda _: open_elements.pop()
+    with suppress(expat.ExpatError):
+        parser.Parse(data, True)
+    return open_elements[-1]
 
 
 class EcoreNode:
@@ -124,11 +155,8 @@ def read_nodes(data: bytes, path: Path) -> EcoreNode:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
-        raise SourceError(
-            f"not well-formed XML: {expat.errors.messages[error.code]}",
-            location=Location(str(path), error.lineno, error.offset + 1),
-            fix="give a metamodel in XMI",
-        ) from error
+        text, fix, _ = fault_of(error, data, "give a metamodel in XMI")
+        raise SourceError(text, location=Location(str(path), error.lineno, error.offset + 1), fix=fix) from error
     except (LookupError, ValueError) as error:  # an encoding that Python does not know or that has several bytes
         raise SourceError(
             f"the encoding cannot be read: {error}", location=Location(str(path), 1), fix="store the file as UTF-8"

@@ -28,14 +28,23 @@ XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/(
 
 
 class Unreadable(Exception):
-    """The file cannot be read as a model at all; `namespace` is that of its root if no metamodel has it."""
+    """The file cannot be read as a model at all.
 
-    def __init__(self, text: str, line: int, fix: str = NO_MODEL, namespace: str = "") -> None:
+    Args:
+        text: why.
+        line: where.
+        fix: what to do.
+        namespace: that of its root if no metamodel has it.
+        sure_to: the last line up to which other problems of the file are none of this one's; None for all.
+    """
+
+    def __init__(self, text: str, line: int, fix: str = NO_MODEL, namespace: str = "", sure_to: int | None = None) -> None:
         super().__init__(text)
         self.text = text
         self.line = line
         self.fix = fix
         self.namespace = namespace
+        self.sure_to = sure_to
 
 
 class UnknownEncoding(Unreadable):
@@ -52,7 +61,8 @@ class Document(Struct):
     Attributes:
         path: absolute.
         roots: the root elements.
-        ids: xmi:id or value of the ID attribute -> element.
+        ids: xmi:id or value of the ID attribute -> element, the first one of several.
+        shared_ids: ids of several elements -> the line of the second.
         references: element, entry, URIs, line, whether the text is one URI: what is still to be linked.
         parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
         counted: elements whose class bounds the number of values, with their lines.
@@ -68,6 +78,7 @@ class Document(Struct):
     path: Path
     roots: list[DynamicEObject] = []
     ids: dict[str, DynamicEObject] = {}
+    shared_ids: dict[str, int] = {}
     references: list[tuple[EObject, FeatureEntry, str, int, bool]] = []
     parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
     counted: list[tuple[EObject, ClassPlan, int]] = []

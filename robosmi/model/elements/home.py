@@ -6,7 +6,7 @@ in EMF, a root may be contained in an element of another file and stays a root o
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,8 @@ class Home(ListenedTo):
         self.place = place
         self.is_model = watch is not None
         self.contents = _Roots()
+        self.shared_ids: Collection[str] = ()
+        """Ids that several elements of the file had when it was read."""
 
     def add(self, root: EObject) -> None:
         """Make an element a root of this file."""

@@ -62,9 +62,9 @@ class _Parser(Builder):
 
     line = 1
 
-    def here(self, text: str) -> None:
-        """Note a problem at the current line."""
-        self.problem(self.line, text)
+    def at(self) -> int:
+        """The current line."""
+        return self.line
 
     def skip(self) -> None:
         """What is not read is not looked at."""

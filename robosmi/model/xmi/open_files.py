@@ -102,7 +102,10 @@ class OpenFiles:
         """The elements of a file that is open, as they are now, or None."""
         if (model := self._models.get(path)) is None:
             return self._document(path)
-        ids = {own: element for element in model.all_contents() if (own := own_id(element)) is not None}
+        ids: dict[str, DynamicEObject] = {}
+        for element in model.all_contents():
+            if (own := own_id(element)) is not None:
+                ids.setdefault(own, element)
         return Document(path, model.roots, ids)
 
     def _document(self, path: Path) -> Document | None:

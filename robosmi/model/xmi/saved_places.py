@@ -149,6 +149,7 @@ def _says_the_same(text: bytes, source: Path, original: bytes, metamodels: Metam
         return False
     with suppress(ModelError):
         locations = XmiLocations({source.name: document.roots}, None, source.parent)
+        locations.shared_ids.update(document.shared_ids)
         write = to_yaml if is_yaml(source) else to_json
         return write(source.name, document.roots, locations) == text
     return False
@@ -219,6 +220,7 @@ def _as_written(path: Path, data: bytes, metamodels: Metamodels, target: Path) -
     try:
         locations = XmiLocations(models, None, target.parent)
         locations.names_more_types = False  # what the target of a link turns out to be is no difference
+        locations.shared_ids.update(document.shared_ids if document is not None else ())
         places = metamodel_places(path, document.schema_locations if document is not None else (), target)
         return text_with(target.name, models[target.name], locations, places)
     except ModelError:

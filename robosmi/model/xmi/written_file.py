@@ -34,7 +34,7 @@ class WrittenFile:
         """The xmi:id that an element is written with; None if it has none of its own.
 
         Raises:
-            ModelError: another element of the file has the id, or it would be read as a path.
+            ModelError: another element of the file has the id and had it in no file that was read, or it would be read as a path.
         """
         try:
             identity = self.places.identity(element)
@@ -44,7 +44,7 @@ class WrittenFile:
         if identity is None:
             return None
         other = self.ids.setdefault(identity, element)
-        if other is not element:
+        if other is not element and identity not in self.places.shared_ids:
             fix = "give every element of a file an id of its own"
             raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
         return identity if xmi_id_of(element) is not None else None

@@ -23,6 +23,7 @@ from robosmi.model.elements.compact_slots import plain_value
 from robosmi.model.elements.ecore import EClass, EModelElement, EObject, EPackage, EStructuralFeature, EValue, Scalar
 from robosmi.model.elements.features import as_package, id_attribute, is_of_ecore, root_package
 from robosmi.model.elements.fragments import segment
+from robosmi.model.elements.home import home_of
 from robosmi.model.elements.pyecore_internals import (
     container_of,
     containing_feature_of,
@@ -67,6 +68,10 @@ class XmiLocations:
         self._neighbour = neighbour
         self._known: dict[int, tuple[str, str]] = {}
         self.roots: dict[int, str] = {}
+        self.shared_ids: set[str] = set()
+        """Ids that several elements have in a file that was read: the first one has it as its address, the others their paths."""
+        self._roots_of: dict[str, Sequence[EObject]] = {}
+        self._holders: dict[str, dict[str, EObject]] = {}
         self._ids: dict[type[EObject], _Identity | None] = {}
         self._steps: dict[EStructuralFeature, _Step] = {}
         self.nested = {id(root) for roots in models.values() for root in roots if root.eContainer() is not None}
@@ -74,6 +79,7 @@ class XmiLocations:
             self._add(name, roots)
 
     def _add(self, name: str, roots: Sequence[EObject]) -> None:
+        self._roots_of[name] = roots
         for index, root in enumerate(roots):
             if id(root) in self.roots:
                 raise ModelError(
@@ -81,12 +87,15 @@ class XmiLocations:
                     fix="keep it in one of these models",
                 )
             self.roots[id(root)] = name
+            if (home := home_of(root)) is not None:
+                self.shared_ids.update(home.shared_ids)
             self._known[id(root)] = (name, f"/{index}" if len(roots) > 1 else "/")
 
     def retain(self, files: Collection[str]) -> None:
         """Forget the addresses in all files except these, whose elements have not moved when the models are written again."""
         roots = {key: place for key, place in self._known.items() if key in self.roots}
         self._known = roots | {key: place for key, place in self._known.items() if place[0] in files}
+        self._holders.clear()
 
     def find(self, target: EObject) -> tuple[str, str]:
         """File and fragment of an element; the file is empty for what has a URI of its own, which is then the fragment.
@@ -100,6 +109,8 @@ class XmiLocations:
             return identified
         file, way = known or self._way(target)
         identity = self.identity(target) if file and not isinstance(target, type) else None
+        if identity in self.shared_ids and self._holder(file, str(identity)) is not target:
+            return file, way
         return file, way if identity is None or _ODD_ID.search(identity) else identity
 
     def _by_id(self, target: EObject) -> tuple[str, str] | None:
@@ -111,7 +122,7 @@ class XmiLocations:
         if container is None or around is None:
             return None
         identity, feature = self.identity(target), containing_feature_of(target)
-        if identity is None or feature is None or _ODD_ID.search(identity):
+        if identity is None or feature is None or identity in self.shared_ids or _ODD_ID.search(identity):
             return None
         step = self._steps.get(feature) or self._step_of(feature)
         slot = container.__dict__.get(step.key)
@@ -149,6 +160,19 @@ class XmiLocations:
         if identity[:1] == "/":
             raise UnusableId(identity)
         return identity
+
+    def _holder(self, file: str, identity: str) -> EObject | None:
+        """The first element of a file that has an id which several have, in the order in which they are written."""
+        holders = self._holders.get(file)
+        if holders is None:
+            holders = self._holders[file] = {}
+            waiting = [*reversed(self._roots_of[file])]
+            while waiting:
+                one = waiting.pop()
+                if (own := self.identity(one)) in self.shared_ids:
+                    holders.setdefault(str(own), one)
+                waiting += [each for each in reversed(list(one.eContents)) if self.roots.get(id(each), file) == file]
+        return holders.get(identity)
 
     def _way(self, target: EObject) -> tuple[str, str]:
         """Climb to the nearest element with a known address, and store the addresses of all elements on the way back."""

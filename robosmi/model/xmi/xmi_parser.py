@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
 from robosmi.errors import did_you_mean
+from robosmi.model.ecore.ecore_xml import fault_of
 from robosmi.model.ecore.xmi_document import (
+    NO_MODEL,
     XMI_NAMESPACES,
     Document,
     Foreign,
@@ -111,9 +113,13 @@ class Builder:
         else:
             child_slots[key_of(entry.back)] = new_slot(ReferenceValue, child, entry.back, element)
 
+    def at(self) -> int:
+        """The current line."""
+        return int(self.expat.CurrentLineNumber)
+
     def here(self, text: str) -> None:
         """Note a problem at the current line."""
-        self.problem(self.expat.CurrentLineNumber, text)
+        self.problem(self.at(), text)
 
     def child_plan(self, entry: FeatureEntry, attributes: dict[str, str]) -> ClassPlan | None:
         """The plan of a contained element: of the type that the file names, else of the declared one."""
@@ -208,7 +214,7 @@ class Builder:
     def identify(self, text: str, child: DynamicEObject) -> None:
         """Note an element's id."""
         if self.document.ids.setdefault(text, child) is not child:
-            self.here(f"the id '{text}' is used twice")
+            self.document.shared_ids.setdefault(text, self.at())
 
     def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> None:
         """Set a value, or add one to many; None is xsi:nil."""
@@ -333,8 +339,8 @@ class _Parser(Builder):
         except expat.ExpatError as error:
             if not data.strip():
                 raise Unreadable("the file is empty", 1) from None
-            cause = expat.errors.messages.get(error.code, str(error))
-            raise Unreadable(f"not well-formed XML: {cause}", error.lineno) from None
+            text, fix, sure_to = fault_of(error, data, NO_MODEL, encoding)
+            raise Unreadable(text, error.lineno, fix, sure_to=sure_to) from None
         except (LookupError, ValueError) as error:  # pyexpat on encodings that Python does not know, or that have no table
             if parser.StartElementHandler is not self.start or self.document.roots:
                 raise

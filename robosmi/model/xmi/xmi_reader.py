@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 __all__ = ["DamagedModelError", "Document", "UnreadableModelError", "read_documents", "read_models", "resolve"]
 _SHOWN = 20
 _PLATFORM = re.compile("platform:/(?:resource|plugin)/(.+)")
-BOUNDS, UNRESOLVED, FOREIGN = "RS608", "RS609", "RS610"
+BOUNDS, UNRESOLVED, FOREIGN, SHARED_ID = "RS608", "RS609", "RS610", "RS613"
 UNRESOLVED_FIX = "put the file at its place, or give the session its place or a hook: Session(uris=..., resolve=...)"
 _LOCAL_FIX = "correct the reference in this file, or give the session a hook: Session(resolve=...)"
 _SCHEME = re.compile("([A-Za-z][A-Za-z0-9+.-]*):")
@@ -271,6 +271,8 @@ class _Reader:
             return self.ecore(path, referrer or Location(place))
         except Unreadable as error:
             self._refused.add(path)
+            if error.sure_to is not None:  # what an unclosed element seems to contain is not its own
+                self.problems = [each for each in self.problems if each[0].path != place or (each[0].line or 0) <= error.sure_to]
             text, fix = (error.text, error.fix) if error.fix else self._unknown(error)
             self.give_up(Location(place, error.line), text, fix)
             return None
@@ -295,11 +297,19 @@ class _Reader:
             )
             self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
 
+        apart = None if self.strict else foreign
         if is_json(path) or is_yaml(path):
-            return parse_json(path, data, self.plans, self.package, problem, None if self.strict else foreign)
-        return parse(
-            path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, None if self.strict else foreign
-        )  # fmt: skip
+            document = parse_json(path, data, self.plans, self.package, problem, apart)
+        else:
+            document = parse(path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, apart)
+        for identity, line in document.shared_ids.items():
+            if self.strict:
+                problem(line, f"the id '{identity}' is used twice")
+            else:
+                said = f"the id '{identity}' is used twice: references to it lead to its first element"
+                fix = "give each element an id of its own"
+                self.odd.add(SHARED_ID, (place,), Location(place, line), said, fix)
+        return document
 
     def _unknown(self, error: Unreadable) -> tuple[str, str]:
         """What is wrong with a file whose root has an unknown namespace, and what to do about it."""
