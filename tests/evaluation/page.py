@@ -38,7 +38,7 @@ THREATS = """\
   G2 is a sample: over all 162 programs 1,086 of the 1,453 calls that an Uno can serve have a body in plain C (.747). What lacks
   one is most of all abdrive360, servo360, pwm2ch, lis3dh, bme680, SD cards, ws2812, and cores, which need the Arduino target.
 - **Listing 1 as printed** waits with `waitcnt(230)` for a number of the counter, which comes round every 53.7 s; the sketch goes
-  on at once, and `verify` says DIFFERENT. With `CNT + 230`, as in our line follower, there is no difference (E3).
+  on at once (warning RS334), and `verify` says DIFFERENT. With `CNT + 230`, as in our line follower, there is no difference (E3).
 - **Conclusion.** Ranks are over draws from our collection of libraries, not the paper's; ranges show how much they depend on the
   draw.
 
