@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,10 @@ from tests.evaluation.scoring.queries import labelled_queries
 from tests.evaluation.scoring.sketches import SketchScore, labelled_sketches
 from tests.evaluation.table import DIFFERS, EXCEEDED, NEVER, NOT_RUN, OUTSIDE, REPRODUCED, Got, Missing, Outcome, Row, Setting
 
+ROOT = Path(__file__).parents[2]
+SECTIONS = {"1", "2", "3", "3.1", "3.2", "3.3", "3.4", "4", "5", "5.1", "5.2", "5.3", "5.4", "6", "7"}
+"""Sections of the paper."""
+CITED = re.compile(r"\bpaper,? (?:sections? )?(\d(?:\.\d+)*)|\bsection (\d(?:\.\d+)*) of the paper")
 SECONDS = 60
 KEYS = {"row", "claim", "place", "expected", "got", "verdict", "how"}
 
@@ -39,6 +44,15 @@ def test_quick_rows_are_within_their_tolerance_and_quick(quick: tuple[list[Outco
     assert [outcome.row.name for outcome in done if outcome.verdict == OUTSIDE] == []
     assert [o.row.name for o in done if o.row.quick and o.verdict.startswith(NOT_RUN)] == []
     assert seconds < SECONDS
+
+
+def test_every_cited_section_of_the_paper_exists() -> None:
+    places = [each for folder in ("robosmi", "transformations") for each in (ROOT / folder).rglob("*.py")]
+    places += [*(ROOT / "docs").rglob("*.md"), *(ROOT / "metamodels").glob("*.ecore")]
+    cited = {(path.name, one or other) for path in places for one, other in CITED.findall(path.read_text(encoding="utf-8"))}
+    assert len(cited) > 20
+    assert sorted(each for each in cited if each[1] not in SECTIONS) == []
+    assert {section for row in table.rows() for section in re.findall(r"\d\.\d|^\d", row.place)} <= SECTIONS
 
 
 def test_every_row_is_given_and_says_how_to_get_what_is_missing(quick: tuple[list[Outcome], float]) -> None:
