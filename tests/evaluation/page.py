@@ -53,13 +53,21 @@ def load() -> dict[str, dict[str, str]]:
 
 def keep(outcomes: Iterable[Outcome]) -> None:
     """Keep what was measured of the rows that are not quick."""
-    head = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False)
-    when = {"date": datetime.date.today().isoformat(), "commit": head.stdout.strip()}
+    when = {"date": datetime.date.today().isoformat(), "commit": _commit()}
     new = {
         o.row.name: {"got": o.got, "verdict": o.told, **when} for o in outcomes if not o.row.quick and NOT_RUN not in o.verdict
     }
     made = {name: value for name, value in (load() | new).items() if name in ROWS}
     MEASURED.write_text(json.dumps(made, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def _commit() -> str:
+    """The commit that was measured; "unknown" without git, or outside of a clone."""
+    try:
+        head = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return "unknown"
+    return head.stdout.strip() or "unknown"
 
 
 def page(quick: Iterable[Outcome], measured: Mapping[str, Mapping[str, str]]) -> str:

@@ -99,7 +99,19 @@ def test_a_verdict_follows_from_what_was_measured() -> None:
     assert outcome(raising(SourceError("cannot be read"))).verdict == OUTSIDE
     missing = outcome(raising(Missing("the corpus is not here", "run: make corpus"))).verdict
     assert missing == f"{NOT_RUN} (the corpus is not here; run: make corpus)"
-    assert outcome(raising(MissingToolError("avr-gcc is missing", fix="install gcc-avr"))).verdict.startswith(NOT_RUN)
+    missing = outcome(raising(MissingToolError("avr-gcc is missing", fix="install gcc-avr"))).verdict
+    assert missing == f"{NOT_RUN} (avr-gcc is missing; install gcc-avr)"
+
+
+def test_without_java_and_git_a_row_is_not_run_and_the_commit_unknown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr(page, "MEASURED", tmp_path / "measured.json")
+    assert main(["--only", "B1e"]) == 0
+    assert "not installed: sh, java, javac" in capsys.readouterr().out
+    page.keep([Outcome(table.ROWS["A5"], "all", REPRODUCED)])
+    assert json.loads((tmp_path / "measured.json").read_text())["A5"]["commit"] == "unknown"
 
 
 def test_exit_1_for_a_row_outside_its_tolerance_alone(
@@ -129,7 +141,8 @@ def test_a_folder_that_is_something_else_is_a_row_not_run(tmp_path: Path, monkey
 
 
 @pytest.mark.parametrize(
-    ("words", "said"), [(["--corpus", "nowhere"], "nowhere"), (["--only", "A99"], "A99"), (["--json", "/no/x"], "/no/x")]
+    ("words", "said"),
+    [(["--corpus", "nowhere"], "nowhere"), (["--only", "A99"], "A99"), (["--json", "/no/x"], "/no/x"), (["--json", "/"], "'/'")],
 )
 def test_wrong_usage_is_named(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
