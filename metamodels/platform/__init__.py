@@ -1219,7 +1219,7 @@ class ArgumentRange(Element, metaclass=MetaEClass):
     position: int = EAttribute(eType=EInt)
     """The parameter's index."""
     least: int = EAttribute(eType=EInt, default_value=-2147483648)
-    """The least supported value."""
+    """The least supported value; above `most` where no constant is supported."""
     most: int = EAttribute(eType=EInt, default_value=2147483647)
     """The greatest supported value."""
     others: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)

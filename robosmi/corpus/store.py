@@ -119,10 +119,11 @@ class Store:
         def connect() -> sqlite3.Connection:
             if self._write:
                 return sqlite3.connect(path, timeout=_WAIT_S, check_same_thread=False)
+            made = sqlite3.connect(f"{name}?mode=ro", uri=True, timeout=_WAIT_S, check_same_thread=False)
             try:
-                made = sqlite3.connect(f"{name}?mode=ro", uri=True, timeout=_WAIT_S, check_same_thread=False)
                 made.execute("SELECT count(*) FROM sqlite_master")
             except sqlite3.OperationalError:  # a log that is not there cannot be made on a disk that is read-only
+                made.close()
                 made = sqlite3.connect(f"{name}?mode=ro&immutable=1", uri=True, timeout=_WAIT_S, check_same_thread=False)
             return made
 

@@ -281,5 +281,7 @@ def _compare(left: Any, right: Any) -> int:
 def _comparable(value: Answer) -> bool:
     if isinstance(value, (str, bool)) or is_number(value):
         return True
+    if value is None:  # whose class has an own __lt__ from Python 3.13 on
+        return False
     own: Any = getattr(value.__class__, "__lt__", None)  # dates and the like, and Python's tuples of keys
     return isinstance(value, tuple) or (collection_kind(value) is None and own is not _UNORDERED)

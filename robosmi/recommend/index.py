@@ -18,6 +18,7 @@ from functools import lru_cache
 from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from weakref import finalize
 
 from msgspec import Struct
 
@@ -130,6 +131,7 @@ class LibraryIndex:
             inputs.check_ordinary(path)  # SQLite would take a named pipe or a device
             # immutable: no locks and no search for a journal. Python's sqlite3 serialises the calls of several threads
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
+            finalize(self, self._db.close)
         except (OSError, sqlite3.Error) as error:
             raise self._damaged((isinstance(error, OSError) and error.strerror) or str(error)) from error
         try:

@@ -41,6 +41,10 @@ def main(words: list[str]) -> int:
     for name in given.only:
         if name not in ROWS:
             parser.error(f"--only: there is no row '{name}'{did_you_mean(name, ROWS)}; rows: {' '.join(ROWS)}")
+    written = [given.json] * (given.json is not None) + [page.MEASURED] * (not given.quick) + [page.PAGE] * (not given.only)
+    for path in written:  # before hours of measuring
+        if path.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
+            parser.error(f"'{path}' cannot be written; give another place, or make it writable")
     with tempfile.TemporaryDirectory(prefix="evaluation-") as home:
         os.environ["ROBOSMI_HOME"] = home
         os.environ.pop("ROBOSMI_HISTORY", None)
@@ -52,10 +56,7 @@ def main(words: list[str]) -> int:
     counts = Counter(outcome.verdict.partition(" (")[0] for outcome in done)
     print(f"{len(done)} rows: {', '.join(f'{count} {name}' for name, count in counts.most_common())}")
     if given.json is not None:
-        try:
-            given.json.write_text(json.dumps([outcome.to_json() for outcome in done], indent=1) + "\n", encoding="utf-8")
-        except OSError as error:
-            parser.error(f"--json: '{given.json}' cannot be written: {error.strerror}; give another file")
+        given.json.write_text(json.dumps([outcome.to_json() for outcome in done], indent=1) + "\n", encoding="utf-8")
     if not given.quick:
         page.keep(done)
     if not given.only:
@@ -76,4 +77,8 @@ def shown(outcome: Outcome) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except BrokenPipeError:  # as with `| head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)

@@ -38,7 +38,7 @@ THREATS = """\
   G2 is a sample: over all 162 programs 1,086 of the 1,453 calls that an Uno can serve have a body in plain C (.747). What lacks
   one is most of all abdrive360, servo360, pwm2ch, lis3dh, bme680, SD cards, ws2812, and cores, which need the Arduino target.
 - **Listing 1 as printed** waits with `waitcnt(230)` for a number of the counter, which comes round every 53.7 s; the sketch goes
-  on at once, and `verify` says DIFFERENT. With `CNT + 230`, as in our line follower, there is no difference (E3).
+  on at once (warning RS334), and `verify` says DIFFERENT. With `CNT + 230`, as in our line follower, there is no difference (E3).
 - **Conclusion.** Ranks are over draws from our collection of libraries, not the paper's; ranges show how much they depend on the
   draw.
 
@@ -53,13 +53,21 @@ def load() -> dict[str, dict[str, str]]:
 
 def keep(outcomes: Iterable[Outcome]) -> None:
     """Keep what was measured of the rows that are not quick."""
-    head = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False)
-    when = {"date": datetime.date.today().isoformat(), "commit": head.stdout.strip()}
+    when = {"date": datetime.date.today().isoformat(), "commit": _commit()}
     new = {
         o.row.name: {"got": o.got, "verdict": o.told, **when} for o in outcomes if not o.row.quick and NOT_RUN not in o.verdict
     }
     made = {name: value for name, value in (load() | new).items() if name in ROWS}
     MEASURED.write_text(json.dumps(made, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def _commit() -> str:
+    """The commit that was measured; "unknown" without git, or outside of a clone."""
+    try:
+        head = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return "unknown"
+    return head.stdout.strip() or "unknown"
 
 
 def page(quick: Iterable[Outcome], measured: Mapping[str, Mapping[str, str]]) -> str:

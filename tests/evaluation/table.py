@@ -7,6 +7,7 @@ A row is a function with the decorator `row`. It returns what was got and whethe
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -39,6 +40,16 @@ class Missing(Exception):
 
     def __init__(self, what: str, how: str) -> None:
         super().__init__(f"{what}; {how}")
+
+
+def require(*programs: str, how: str) -> None:
+    """Check that programs are installed.
+
+    Raises:
+        Missing: one of them is not.
+    """
+    if missing := [name for name in programs if shutil.which(name) is None]:
+        raise Missing(f"not installed: {', '.join(missing)}", how)
 
 
 @dataclass(frozen=True)
@@ -184,7 +195,7 @@ def _outcome(of: Row, setting: Setting, quick: bool) -> Outcome:
     except Missing as missing:
         return Outcome(of, "-", f"{NOT_RUN} ({missing})")
     except MissingToolError as missing:
-        return Outcome(of, "-", f"{NOT_RUN} ({missing}{'; ' + missing.fix if missing.fix else ''})")
+        return Outcome(of, "-", f"{NOT_RUN} ({missing.message}{'; ' + missing.fix if missing.fix else ''})")
     except RobosmiError as error:
         return Outcome(of, f"the product failed: {error}", OUTSIDE)
     return Outcome(of, got.text, of.verdict if got.within else OUTSIDE)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,10 @@ from tests.evaluation.scoring.queries import labelled_queries
 from tests.evaluation.scoring.sketches import SketchScore, labelled_sketches
 from tests.evaluation.table import DIFFERS, EXCEEDED, NEVER, NOT_RUN, OUTSIDE, REPRODUCED, Got, Missing, Outcome, Row, Setting
 
+ROOT = Path(__file__).parents[2]
+SECTIONS = {"1", "2", "3", "3.1", "3.2", "3.3", "3.4", "4", "5", "5.1", "5.2", "5.3", "5.4", "6", "7"}
+"""Sections of the paper."""
+CITED = re.compile(r"\bpaper,? (?:sections? )?(\d(?:\.\d+)*)|\bsection (\d(?:\.\d+)*) of the paper")
 SECONDS = 60
 KEYS = {"row", "claim", "place", "expected", "got", "verdict", "how"}
 
@@ -39,6 +44,15 @@ def test_quick_rows_are_within_their_tolerance_and_quick(quick: tuple[list[Outco
     assert [outcome.row.name for outcome in done if outcome.verdict == OUTSIDE] == []
     assert [o.row.name for o in done if o.row.quick and o.verdict.startswith(NOT_RUN)] == []
     assert seconds < SECONDS
+
+
+def test_every_cited_section_of_the_paper_exists() -> None:
+    places = [each for folder in ("robosmi", "transformations") for each in (ROOT / folder).rglob("*.py")]
+    places += [*(ROOT / "docs").rglob("*.md"), *(ROOT / "metamodels").glob("*.ecore")]
+    cited = {(path.name, one or other) for path in places for one, other in CITED.findall(path.read_text(encoding="utf-8"))}
+    assert len(cited) > 20
+    assert sorted(each for each in cited if each[1] not in SECTIONS) == []
+    assert {section for row in table.rows() for section in re.findall(r"\d\.\d|^\d", row.place)} <= SECTIONS
 
 
 def test_every_row_is_given_and_says_how_to_get_what_is_missing(quick: tuple[list[Outcome], float]) -> None:
@@ -85,7 +99,19 @@ def test_a_verdict_follows_from_what_was_measured() -> None:
     assert outcome(raising(SourceError("cannot be read"))).verdict == OUTSIDE
     missing = outcome(raising(Missing("the corpus is not here", "run: make corpus"))).verdict
     assert missing == f"{NOT_RUN} (the corpus is not here; run: make corpus)"
-    assert outcome(raising(MissingToolError("avr-gcc is missing", fix="install gcc-avr"))).verdict.startswith(NOT_RUN)
+    missing = outcome(raising(MissingToolError("avr-gcc is missing", fix="install gcc-avr"))).verdict
+    assert missing == f"{NOT_RUN} (avr-gcc is missing; install gcc-avr)"
+
+
+def test_without_java_and_git_a_row_is_not_run_and_the_commit_unknown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr(page, "MEASURED", tmp_path / "measured.json")
+    assert main(["--only", "B1e"]) == 0
+    assert "not installed: sh, java, javac" in capsys.readouterr().out
+    page.keep([Outcome(table.ROWS["A5"], "all", REPRODUCED)])
+    assert json.loads((tmp_path / "measured.json").read_text())["A5"]["commit"] == "unknown"
 
 
 def test_exit_1_for_a_row_outside_its_tolerance_alone(
@@ -115,7 +141,8 @@ def test_a_folder_that_is_something_else_is_a_row_not_run(tmp_path: Path, monkey
 
 
 @pytest.mark.parametrize(
-    ("words", "said"), [(["--corpus", "nowhere"], "nowhere"), (["--only", "A99"], "A99"), (["--json", "/no/x"], "/no/x")]
+    ("words", "said"),
+    [(["--corpus", "nowhere"], "nowhere"), (["--only", "A99"], "A99"), (["--json", "/no/x"], "/no/x"), (["--json", "/"], "'/'")],
 )
 def test_wrong_usage_is_named(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:

@@ -217,11 +217,11 @@ def test_a_damaged_table_is_refused(text: str, message: str) -> None:
 def test_damaged_and_foreign_files(tmp_path: Path, use: Callable[[History], object]) -> None:
     damaged, foreign, folder, newer = (tmp_path / name for name in ("damaged", "foreign", "folder", "newer"))
     damaged.write_bytes(b"this is no database, and long enough to be taken for one" * 20)
-    with sqlite3.connect(foreign) as db:
+    with closing(sqlite3.connect(foreign)) as db, db:
         db.execute("CREATE TABLE choice(a)")
     folder.mkdir()
     History(newer).record("p", "t", "A")
-    with sqlite3.connect(newer) as db:
+    with closing(sqlite3.connect(newer)) as db, db:
         db.execute("PRAGMA user_version=3")
     for path in (damaged, foreign, folder, newer):
         before = path.read_bytes() if path.is_file() else b""

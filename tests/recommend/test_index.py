@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import gzip
 import json
+import sqlite3
 import threading
 import zlib
 from pathlib import Path
@@ -115,6 +117,17 @@ def test_command_line(tiny_facts: Path, tmp_path: Path, capsys: pytest.CaptureFi
     assert main([str(tmp_path / "absent"), str(tmp_path / "x")]) == 3
     (tmp_path / "text.gz").write_bytes(gzip.compress(b"{}\n{,"))
     assert main([str(tmp_path / "text.gz"), str(tmp_path / "x")]) == 3
+
+
+def test_a_forgotten_index_closes_its_file(tiny_facts: Path, tmp_path: Path) -> None:
+    """Python 3.13 warns of a connection that nobody closed."""
+    build(tiny_facts, tmp_path / "own.sqlite")
+    index = LibraryIndex(tmp_path / "own.sqlite")
+    db = index._db
+    del index
+    gc.collect()
+    with pytest.raises(sqlite3.ProgrammingError, match="closed"):
+        db.execute("SELECT 1")
 
 
 def test_libraries_that_are_read_at_once(tiny: LibraryIndex) -> None:

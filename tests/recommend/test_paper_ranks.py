@@ -70,7 +70,7 @@ def test_a_choice_in_the_history_mends_what_words_cannot(history: History) -> No
 
 
 def test_a_choice_in_the_history_mends_the_ranking(history: History) -> None:
-    """The paper's third phase: DHT.h was only 4th, until it had been chosen once."""
+    """The paper's second phase: DHT.h was only 4th, until it had been chosen once."""
     query = ComponentQuery("1", DHT, part_id="dht")
     assert tfidf_ranker().rank(query, history).candidates[0].library != "DHT sensor library"
     history.record("dht", DHT, "DHT sensor library")

@@ -11,6 +11,7 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move
 from robosmi.transformations.queries.plans.port_pins import CONSOLE
+from robosmi.transformations.queries.resources.loop_time import clock_rates, of_rate
 from robosmi.validate import Fail
 
 calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_ranges(c)))
@@ -26,7 +27,7 @@ def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
     for one in sorted(_ranges(c), key=lambda each: int(each.most) - int(each.least)):  # the limit that holds, not the widest one
         if one.position >= len(arguments) or (one.awayFrom and _reaches(c, one.awayFrom, m)):
             continue
-        outside = sorted(n for n in _numbers(arguments[one.position], m) if not _serves(one, n))
+        outside = sorted(n for n in _numbers(arguments[one.position], one, m) if not _serves(one, n))
         if outside:
             said = ", ".join(str(each) for each in outside)
             return Fail(f"{c.calleeName} gets {said} for '{one.name}', {_said(one)}: {one.effect}", values=outside)
@@ -38,9 +39,12 @@ def _ranges(call: ccode.Call) -> list[platform.ArgumentRange]:
     return the_move().argument_ranges.get(str(call.calleeName), [])
 
 
-def _numbers(argument: ccode.Expression, m: Move) -> set[int]:
-    """The statically known values of an argument; it may have others."""
-    known = {value.number for value in m.masks.values(argument)}
+def _numbers(argument: ccode.Expression, one: platform.ArgumentRange, m: Move) -> set[int]:
+    """The statically known values of an argument; it may have others, unless no constant is supported."""
+    if _empty(one):
+        known = {of_rate(argument, clock_rates(m.plan), m.masks.values)}
+    else:
+        known = {value.number for value in m.masks.values(argument)}
     return {number for number in known | (m.masks.numbers(argument) or frozenset()) if number is not None}
 
 
@@ -48,8 +52,15 @@ def _serves(one: platform.ArgumentRange, number: int) -> bool:
     return bool(one.least <= number <= one.most or number in one.others)
 
 
+def _empty(one: platform.ArgumentRange) -> bool:
+    """Whether the adapter supports no constant."""
+    return int(one.least) > int(one.most)
+
+
 def _said(one: platform.ArgumentRange) -> str:
     """A value range in words."""
+    if _empty(one):
+        return "but the target supports no constant"
     if one.most == _MOST:
         return f"but the target supports {one.least:,} and more"
     return f"but the target supports {one.least:,} to {one.most:,}"

@@ -10,6 +10,7 @@ import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
+from weakref import finalize
 
 from robosmi import inputs
 from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of, json_written
@@ -59,6 +60,7 @@ class PartsFile:
         try:  # immutable: no locks, no look for a journal
             inputs.check_ordinary(path)  # SQLite would take a named pipe or a device
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
+            finalize(self, self._db.close)
         except (OSError, sqlite3.Error) as error:
             raise self._damaged((error.strerror if isinstance(error, OSError) else None) or str(error)) from error
         if self._all("PRAGMA application_id") != [(APPLICATION,)] or self._all("PRAGMA user_version") != [(FORMAT,)]:

@@ -14,7 +14,7 @@ from robosmi.transformations.t2m.fritzing import read_circuit
 from tests.evaluation.scoring.sketches import SketchScore, labelled_sketches
 from tests.evaluation.sources import FETCH, ROOT, sketch_file
 from tests.evaluation.studies import DRAWINGS, INPUTS, STUDIES, drawn, migrated
-from tests.evaluation.table import DIFFERS, EXCEEDED, Got, Missing, Setting, row
+from tests.evaluation.table import DIFFERS, EXCEEDED, Got, Missing, Setting, require, row
 
 MAPPINGS = {
     "BasicServo2WriteP1": "D8", "BasicServo1WriteP1": "D9", "HIH40302ReadP1": "D10", "HIH40301ReadP1": "D11",
@@ -63,10 +63,10 @@ def model_instance(_: Setting) -> Got:
 def emf_models(_: Setting) -> Got:
     from tests.emf_judge import JARS
 
+    how = "install default-jdk-headless and libeclipse-emf-*-java (.ci/system-packages)"
+    require("sh", "java", "javac", how=how)
     if missing := [jar.name for jar in JARS if not jar.exists()]:
-        raise Missing(
-            f"{', '.join(missing)} are missing", "install default-jdk-headless and libeclipse-emf-*-java (.ci/system-packages)"
-        )
+        raise Missing(f"{', '.join(missing)} are missing", how)
     metamodels = [str(path) for path in sorted((ROOT / "metamodels").glob("*.ecore"))]
     models = [path for study in STUDIES for path in sorted((migrated(study).output / "models").glob("*.xmi"))]
     answers = [

@@ -193,6 +193,7 @@ def test_what_an_architecture_lacks_is_not_served_there(tmp_path: Path) -> None:
             "no parameter 'pinn' (did you mean 'pin'?)",
         ),
         (f"{LOW}//#   range: us 5 to 9: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'us 5 to 9: no' is not a range"),
+        (f"{LOW}//#   range: us none or 3: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "is not a range"),
         (f"{LOW}//#   range: us ..: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "is not a range"),
         (f"{LOW}//#   range: ms 5..9: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'low' has no parameter 'ms'"),
         (f"{LOW}//#   symmetric: pin ms\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'low' has no parameter 'ms'"),

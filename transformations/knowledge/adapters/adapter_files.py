@@ -35,7 +35,7 @@ TASK = "task"
 KINDS = ("adapter", "constant", "register", "variable", "type", "helper")
 """The kinds of pieces: for a function, constant, register, variable or type of the source, or a helper used only by adapters."""
 RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
-"""How calls correspond (paper 3.4): one to one, one to several, several to one, or by another mechanism with the same effect."""
+"""How calls correspond (paper 5.3): one to one, one to several, several to one, or by another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
 HAL = "hal"

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from robosmi.errors import did_you_mean
 from robosmi.transformations.knowledge.adapters.adapter_records import ArgumentRange
 
-_RANGE = re.compile(r"(\w+) (-?\d+)?\.\.(-?\d+)?((?: or -?\d+)*)(?: beside ([\w./]+/\w+))?(?: away from (\w+))?: (.+)")
+_VALUES = r"(?:(none)|(-?\d+)?\.\.(-?\d+)?((?: or -?\d+)*))"
+_RANGE = re.compile(rf"(\w+) {_VALUES}(?: beside ([\w./]+/\w+))?(?: away from (\w+))?: (.+)")
 _NAME = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*$")
 
 
@@ -27,16 +28,16 @@ def argument_range(function: str, signatures: Sequence[str], text: str) -> Argum
         ValueError: it is no range, or of no parameter; its arguments are what is wrong and what to do.
     """
     said = _RANGE.fullmatch(text)
-    if said is None or not (said[2] or said[3]):
-        form = "PARAMETER LEAST..MOST [or VALUE] [beside HEADER/PIECE] [away from PIN]: WHAT HAPPENS ELSE"
+    if said is None or not (said[2] or said[3] or said[4]):
+        form = "PARAMETER LEAST..MOST [or VALUE] or none [beside HEADER/PIECE] [away from PIN]: WHAT HAPPENS ELSE"
         raise ValueError(f"'{text}' is not a range", f"write: range: {form}")
     names = parameter_names(signatures[0]) if signatures else []
     if said[1] not in names:
         hint = did_you_mean(said[1], [name for name in names if name])
         raise ValueError(f"'{function}' has no parameter '{said[1]}'{hint}", "use a name from `for`, above it")
-    least, most = (int(end) if end else None for end in (said[2], said[3]))
-    others = [int(word) for word in said[4].split() if word != "or"]
-    return ArgumentRange(said[1], names.index(said[1]), least, most, others, said[5] or "", said[6] or "", said[7])
+    least, most = (1, 0) if said[2] else (int(end) if end else None for end in (said[3], said[4]))
+    others = [int(word) for word in (said[5] or "").split() if word != "or"]
+    return ArgumentRange(said[1], names.index(said[1]), least, most, others, said[6] or "", said[7] or "", said[8])
 
 
 def parameter_names(signature: str) -> list[str]:

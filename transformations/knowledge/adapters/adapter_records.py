@@ -18,7 +18,7 @@ class ArgumentRange(Struct, frozen=True):
     Attributes:
         name: the parameter, as the source's signature calls it.
         position: its index among the parameters, from 0.
-        least, most: the least and the greatest value; None where there is no limit.
+        least, most: the least and the greatest value; None where there is no limit; 1 and 0 where no constant is one.
         others: further values that it handles, such as 0 for off.
         beside: the piece in whose presence alone the range applies; empty for always.
         away_from: a pin of the target whose calls have no such range; empty for none.

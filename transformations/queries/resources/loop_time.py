@@ -7,7 +7,7 @@ outside (a person, a sensor, a wheel), or a call through an unknown pointer, has
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cached_property, reduce
 
 from msgspec import Struct
@@ -19,7 +19,7 @@ from robosmi.query.rules.deep_recursion import in_thread
 from robosmi.transformations.queries.flows.pointed_calls import is_pointed, pointed_calls
 from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.programs.main_program import main_structure
-from robosmi.transformations.queries.values import Values
+from robosmi.transformations.queries.values import Value, Values
 
 TICKS_A_SECOND = "clock ticks a second"
 """The meaning of a symbol of the source platform that stands for its clock rate."""
@@ -84,6 +84,31 @@ def loop_time(plan: migration.MigrationPlan) -> Time | None:
     return None
 
 
+def clock_rates(plan: migration.MigrationPlan) -> set[str]:
+    """The names that a plan's program uses for the clock rate, such as `CLKFREQ`."""
+    symbols = (use.symbol for use in plan.symbolUses)
+    return {str(each.name) for each in symbols if each is not None and each.meaning == TICKS_A_SECOND}
+
+
+def of_rate(expression: Element | None, rates: Collection[str], values: Callable[[Element | None], list[Value]]) -> int | None:
+    """The value of an expression of the clock rate, such as `CLKFREQ / 1000 * 5`; None for any other expression.
+
+    Args:
+        expression: the expression.
+        rates: names of the clock rate.
+        values: gives the values of an expression as far as the text decides them.
+    """
+    if isinstance(expression, ccode.NameReference) and str(expression.name) in rates:
+        return TICKS * 1_000_000
+    if isinstance(expression, ccode.Cast):
+        return of_rate(expression.operand, rates, values)
+    if isinstance(expression, ccode.Binary):
+        left, right = (of_rate(side, rates, values) for side in (expression.left, expression.right))
+        return calculate(str(expression.operator), left, right) if left is not None and right is not None else None
+    known = values(expression)
+    return known[0].number if len(known) == 1 else None
+
+
 class LoopTimes:
     """Computes the waiting times of statements and expressions of one program.
 
@@ -101,8 +126,7 @@ class LoopTimes:
         self._own = {
             str(d.name): d for each in plan.program.units for d in each.declarations if isinstance(d, ccode.Function) and d.body
         }
-        rates = (use.symbol for use in plan.symbolUses)
-        self._rates = {str(each.name) for each in rates if each is not None and each.meaning == TICKS_A_SECOND}
+        self._rates = clock_rates(plan)
         self._program = plan.program
         self._functions: dict[int, Time] = {}
         self._depth = 0
@@ -259,25 +283,13 @@ class LoopTimes:
         values = self._values.of(argument)
         if all(v.number is not None for v in values):
             return [v.number for v in values if v.number is not None]
-        if (rate := self._of_rate(argument)) is not None:
+        if (rate := of_rate(argument, self._rates, self._values.of)) is not None:
             return [rate]
         if ticks and isinstance(argument, ccode.Binary) and str(argument.operator) == "+":
             for side in (argument.right, argument.left):
                 if found := self._numbers(side, ticks=False):
                     return found
         return []
-
-    def _of_rate(self, expression: ccode.Expression | None) -> int | None:
-        """The value of an expression of the clock rate, such as `CLKFREQ / 1000 * 5`; None for any other expression."""
-        if isinstance(expression, ccode.NameReference) and str(expression.name) in self._rates:
-            return TICKS * 1_000_000
-        if isinstance(expression, ccode.Cast):
-            return self._of_rate(expression.operand)
-        if isinstance(expression, ccode.Binary):
-            left, right = self._of_rate(expression.left), self._of_rate(expression.right)
-            return calculate(str(expression.operator), left, right) if left is not None and right is not None else None
-        values = self._values.of(expression)
-        return values[0].number if len(values) == 1 else None
 
 
 def _leaves(statement: Element | None) -> bool:

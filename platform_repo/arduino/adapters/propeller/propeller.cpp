@@ -78,6 +78,7 @@ inline void wait_until(uint32_t target) {
 //#   needs: wait_until
 //#   fidelity: within 8 us while no cogs take turns
 //#   limit: where cogs take turns, it may end later: the others first run until they wait (see RS325)
+//#   range: target none: it returns at once, but the original waits until the counter is there, up to 53.7 s; add CNT to wait from now
 //#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 //#   stack: 4
 inline uint32_t waitcnt(uint32_t target) {
@@ -91,6 +92,7 @@ inline uint32_t waitcnt(uint32_t target) {
 //#   needs: waitcnt
 //#   fidelity: within 8 us while no cogs take turns; the next target is exact
 //#   limit: where cogs take turns, it may end later: the others first run until they wait (see RS325)
+//#   range: target none: it returns at once, but the original waits until the counter is there, up to 53.7 s; add CNT to wait from now
 //#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 //#   stack: 4
 inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
@@ -529,6 +531,7 @@ inline void cogstop(int32_t cogid) {
 //#   kind: oneToOne
 //#   needs: waitcnt2
 //#   fidelity: within 8 us; the next target is exact
+//#   range: target none: it returns at once, but the original waits until the counter is there, up to 53.7 s; add CNT to wait from now
 //#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 //#   stack: 4
 inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {

@@ -111,6 +111,7 @@ static inline void wait_until(uint32_t target) {
 //#   kind: semantic
 //#   needs: wait_until
 //#   fidelity: within 8 us
+//#   range: target none: it returns at once, but the original waits until the counter is there, up to 53.7 s; add CNT to wait from now
 //#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 static inline uint32_t waitcnt(uint32_t target) {
   wait_until(target);
@@ -122,6 +123,7 @@ static inline uint32_t waitcnt(uint32_t target) {
 //#   kind: semantic
 //#   needs: waitcnt
 //#   fidelity: within 8 us; the next target is exact
+//#   range: target none: it returns at once, but the original waits until the counter is there, up to 53.7 s; add CNT to wait from now
 //#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 static inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
   return waitcnt(target) + delta;
@@ -351,6 +353,7 @@ static inline int32_t lockclr(int32_t lockid) {
 //#   kind: oneToOne
 //#   needs: waitcnt2
 //#   fidelity: within 8 us; the next target is exact
+//#   range: target none: it returns at once, but the original waits until the counter is there, up to 53.7 s; add CNT to wait from now
 //#   limit: if the time is already past, it returns at once; the original waits until the counter comes round, up to 53.7 s
 static inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
   return waitcnt2(target, delta);
