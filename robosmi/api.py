@@ -115,7 +115,7 @@ class MigratedSketch(Protocol):
 
     @property
     def open_choices(self) -> int:
-        """How many choices are left to a person."""
+        """How many choices are left to the user."""
 
     @property
     def verification(self) -> tuple[Mapping[str, Json], int] | None:
@@ -129,7 +129,7 @@ class MigratedSketch(Protocol):
         """The command's part of the JSON document, as the contract has it."""
 
     def tasks(self) -> Sequence[Finding]:
-        """What is left for a person."""
+        """What is left for the user."""
 
     def artifacts(self) -> list[dict[str, str]]:
         """Files written, {path, kind}."""
@@ -315,7 +315,7 @@ def migrate(files: Sequence[str | Path], output: str | Path, **options: Unpack[M
     Raises:
         SourceError: an input cannot be read or used, or the output cannot be written.
         UsageError: a choice names what does not exist.
-        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        StoppedError: a choice is open under `strict`, or the user's edit would be lost.
     """
     made: MigratedSketch = content("chain", "migrate")(_listed(files), output, **_listed_options(options))
     return made
@@ -328,7 +328,7 @@ def generate_sketch(
 
     Raises:
         SourceError: a file cannot be read, or does not match its digest.
-        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        StoppedError: a choice is open under `strict`, or the user's edit would be lost.
     """
     made: MigratedSketch = content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict, bench=bench)
     return made

@@ -1,6 +1,6 @@
 """Places, findings and tasks as plain values with the JSON form of the contract.
 
-A finding is a fact about what was read or made; a task is work left for a person. Both have a stable `id` (same input, same
+A finding is a fact about what was read or made; a task is work left for the user. Both have a stable `id` (same input, same
 id), so that scripts can track them. Exceptions are in `errors`; texts for a terminal in `report`.
 """
 
@@ -141,4 +141,4 @@ class Finding(Struct, frozen=True):
 
 
 class Task(Finding, frozen=True):
-    """Work that is left for a person. Same form as a finding (contract: "finding / task")."""
+    """Work that is left for the user. Same form as a finding (contract: "finding / task")."""

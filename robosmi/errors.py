@@ -78,13 +78,13 @@ class MissingToolError(RobosmiError):
 
 
 class StoppedError(RobosmiError):
-    """Generation stopped: an open choice under `--strict`, or a person's edit that would be lost (exit code 5)."""
+    """Generation stopped: an open choice under `--strict`, or the user's edit that would be lost (exit code 5)."""
 
     exit_code = 5
 
 
 class ChangedMeanwhileError(StoppedError):
-    """A file that a run has read, and would replace, was changed while the run was at work: by another run, or by a person."""
+    """A file that a run has read, and would replace, was changed while the run was at work: by another run, or by the user."""
 
 
 class CompileError(RobosmiError):

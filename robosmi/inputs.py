@@ -43,7 +43,7 @@ class Kind(Struct, frozen=True):
 
     @property
     def limit(self) -> str:
-        """The limit as a person writes it, as `8 MB`."""
+        """The limit as the user writes it, as `8 MB`."""
         return f"{self.most // _MB} MB"
 
 

@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tests.source_imports import ROOT, modules, tree_of
+from tests.source_imports import ROOT, modules, nodes_of_module
 
 _FLAGS_AT = {"compile": 1, "match": 2, "fullmatch": 2, "search": 2, "findall": 2, "finditer": 2, "split": 3, "sub": 4, "subn": 4}
 """Function of `re` -> the place of its argument for flags."""
@@ -64,13 +64,13 @@ def _uses() -> dict[str, set[str]]:
     found: defaultdict[str, set[str]] = defaultdict(set)
     for path in _sources():
         called: set[int] = set()
-        for node in ast.walk(tree_of(path)):
+        for node in nodes_of_module(path):
             if isinstance(node, ast.Attribute) and isinstance(node.value, (ast.Name, ast.Attribute)):
                 name = node.value.id if isinstance(node.value, ast.Name) else node.value.attr
                 if node.attr in {*_USES, "pattern"}:
                     found[name].add(node.attr)
                     called.add(id(node.value))
-        for node in ast.walk(tree_of(path)):
+        for node in nodes_of_module(path):
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and id(node) not in called:
                 found[node.id].add("any")
     return found
@@ -80,18 +80,18 @@ def _of_module(path: Path) -> Iterator[OwnPattern | str]:
     short = path.relative_to(ROOT)
     parts = short.with_suffix("").parts
     name = ".".join(parts if parts[0] == "robosmi" else ("robosmi", *parts)).removesuffix(".__init__")
-    tree = tree_of(path)
-    if not any(isinstance(node, ast.Name) and node.id == "re" for node in ast.walk(tree)):
+    nodes = nodes_of_module(path)
+    if not any(isinstance(node, ast.Name) and node.id == "re" for node in nodes):
         return
     namespace = vars(importlib.import_module(name))
     names = {
         id(node.value): target.id
-        for node in ast.walk(tree)
+        for node in nodes
         if isinstance(node, (ast.Assign, ast.AnnAssign)) and node.value is not None
         for target in (node.targets if isinstance(node, ast.Assign) else [node.target])
         if isinstance(target, ast.Name)
     }
-    for node in ast.walk(tree):
+    for node in nodes:
         function = node.func if isinstance(node, ast.Call) else None
         if not isinstance(node, ast.Call) or not isinstance(function, ast.Attribute) or function.attr not in _FLAGS_AT:
             continue

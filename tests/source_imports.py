@@ -37,31 +37,38 @@ def tree_of(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
-def nodes_of(node: ast.AST, run: bool = False) -> Iterator[ast.AST]:
-    """Everything within a node; if only what runs is asked for, without what stands under `if TYPE_CHECKING`."""
+@cache
+def nodes_of_module(path: Path) -> tuple[ast.AST, ...]:
+    """Everything in a module, as `ast.walk` gives it."""
+    return tuple(ast.walk(tree_of(path)))
+
+
+def statements_of(node: ast.AST, run: bool = False) -> Iterator[ast.AST]:
+    """The statements within a node; if only what runs is asked for, without what stands under `if TYPE_CHECKING`."""
     for child in ast.iter_child_nodes(node):
         if run and isinstance(child, ast.If) and ast.unparse(child.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING"):
             for other in child.orelse:
                 yield other
-                yield from nodes_of(other, run)
-        else:
+                yield from statements_of(other, run)
+        elif isinstance(child, (ast.stmt, ast.excepthandler, ast.match_case)):
             yield child
-            yield from nodes_of(child, run)
+            yield from statements_of(child, run)
 
 
-def imported(path: Path, run: bool = False) -> Iterator[tuple[int, str]]:
+@cache
+def imported(path: Path, run: bool = False) -> tuple[tuple[int, str], ...]:
     """Line and full name of everything that a module imports, wherever in it; with `run` without what only type checkers see."""
     package = (
         ["robosmi", *path.relative_to(ROOT).parts[:-1]]
         if path.relative_to(ROOT).parts[0] in CONTENT
         else list(path.relative_to(ROOT).parts[:-1])
     )
-    yield from names_imported(tree_of(path), package, run)
+    return (*names_imported(tree_of(path), package, run),)
 
 
 def names_imported(tree: ast.AST, package: list[str], run: bool) -> Iterator[tuple[int, str]]:
     """Line and full name of everything that a tree of this package imports."""
-    for node in nodes_of(tree, run):
+    for node in statements_of(tree, run):
         if isinstance(node, ast.Import):
             yield from ((node.lineno, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):

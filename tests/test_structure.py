@@ -22,7 +22,18 @@ import networkx as nx
 import pytest
 
 import robosmi
-from tests.source_imports import CONTENT, FACES, PUBLIC, ROOT, imported, module_name, modules, names_imported, tree_of
+from tests.source_imports import (
+    CONTENT,
+    FACES,
+    PUBLIC,
+    ROOT,
+    imported,
+    module_name,
+    modules,
+    names_imported,
+    nodes_of_module,
+    tree_of,
+)
 
 FOUNDATION = (*PUBLIC, "base")
 LOW = ("files", "quoting", *FOUNDATION)
@@ -375,10 +386,10 @@ def test_pyecores_private_names_are_in_one_module_only() -> None:
     for path in written_by_hand():
         if path.name == "pyecore_internals.py":
             continue
-        tree = tree_of(path)
-        own = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
-        own |= {n.attr for n in ast.walk(tree) if isinstance(n, ast.Attribute) and is_of_self(n) and isinstance(n.ctx, ast.Store)}
-        for node in ast.walk(tree):
+        nodes = nodes_of_module(path)
+        own = {node.name for node in nodes if isinstance(node, ast.FunctionDef)}
+        own |= {n.attr for n in nodes if isinstance(n, ast.Attribute) and is_of_self(n) and isinstance(n.ctx, ast.Store)}
+        for node in nodes:
             if isinstance(node, ast.Attribute) and node.attr in private and node.attr not in own:
                 wrong.append(f"{path.relative_to(ROOT)}:{node.lineno}: {node.attr}")
             elif isinstance(node, ast.Constant) and node.value in private - own:
@@ -470,7 +481,7 @@ OPENS: dict[str, str] = {
 
 def opening_calls(path: Path) -> Iterator[str]:
     """Calls in a module that open a file by its path, whatever they are reached through."""
-    for node in ast.walk(tree_of(path)):
+    for node in nodes_of_module(path):
         if not isinstance(node, ast.Call):
             continue
         called = ast.unparse(node.func)
@@ -587,12 +598,10 @@ def test_importing_the_package_is_light() -> None:
 
 def test_no_module_makes_data_classes() -> None:
     found = [
-        f"{path.relative_to(ROOT)}:{node.lineno}"
-        for folder in ("robosmi", "transformations")
-        for path in sorted((ROOT / folder).rglob("*.py"))
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if (isinstance(node, ast.ImportFrom) and node.module == "dataclasses")
-        or (isinstance(node, ast.Import) and any(alias.name == "dataclasses" for alias in node.names))
+        f"{path.relative_to(ROOT)}:{line}"
+        for path in modules("robosmi", "transformations")
+        for line, name in imported(path)
+        if name.partition(".")[0] == "dataclasses"
     ]
     assert found == [], "records are structs (docs/decisions/records-are-structs.md)"
 

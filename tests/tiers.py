@@ -42,6 +42,9 @@ EVENTS = frozenset(
     ["subprocess.Popen", "os.exec", "os.fork", "os.forkpty", "os.kill", "os.killpg", "os.posix_spawn", "os.spawn", "os.system"]
 )
 """Audit events of Python that a process is started or killed."""
+COLLECTED_AFTER = (200_000, 20, 20)
+"""Thresholds of the garbage collection while tests run, as a command sets them. With Python's own it would look again and again
+at what thousands of tests hold."""
 _chosen = "all"  # the tier of this run
 _MODULES = ("subprocess", "multiprocessing", "tests.tools")
 _STARTING = (compile_sketch, simulate, build_original, missing_tools, run_original, run, ending_with_us)
@@ -90,6 +93,7 @@ def join(config: pytest.Config) -> None:
     """Let the tests be chosen by tier, and watch that they start nothing unannounced."""
     global _chosen
     _chosen = config.getoption("tier")
+    gc.set_threshold(*COLLECTED_AFTER)
     for mark, meaning in MARKS.items():
         config.addinivalue_line("markers", f"{mark}: {meaning}")
     config.pluginmanager.register(Tiers(_chosen), "tiers")

@@ -227,7 +227,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     )
     """Which library drives which component."""
     ownLibraries: MutableSequence[Library] = EReference(upper=-1)
-    """The libraries whose headers a person has included in the generated program."""
+    """The libraries whose headers the user has included in the generated program."""
     adapterUses: MutableSequence[AdapterUse] = EReference(upper=-1, containment=True)
     """The platform functions that are called, and how each is adapted."""
     symbolUses: MutableSequence[SymbolUse] = EReference(upper=-1, containment=True)

@@ -1,4 +1,4 @@
-"""Which code outside of RoboSMi raised an exception: a person's rule that fails, or a function with endless recursion.
+"""Which code outside of RoboSMi raised an exception: the user's rule that fails, or a function with endless recursion.
 
 Our own code, Python's and that of installed packages are distinguished by module names and folders. The caller decides how to
 report the exception; plug-ins, which are installed packages, are handled by `plugins`.
@@ -28,13 +28,13 @@ def frames_of(error: BaseException) -> Iterator[tuple[FrameType, int]]:
 
 
 def innermost(error: BaseException) -> Location | None:
-    """The last line of a person's code that an exception passed through; None if there is none."""
+    """The last line of the user's code that an exception passed through; None if there is none."""
     places = [Location(f.f_code.co_filename, line) for f, line in frames_of(error) if _is_foreign(f)]
     return places[-1] if places else None
 
 
 def endless(error: RecursionError) -> tuple[str, Location] | None:
-    """A person's function that recurses without end, with its name and place; None if it is not a person's."""
+    """The user's function that recurses without end, with its name and place; None if it is not the user's."""
     codes = Counter(frame.f_code for frame, _ in frames_of(error) if _is_foreign(frame))
     if not codes:
         return None
@@ -43,7 +43,7 @@ def endless(error: RecursionError) -> tuple[str, Location] | None:
 
 
 def _is_foreign(frame: FrameType) -> bool:
-    """Whether a frame runs code of a person's: in a file, and neither ours nor installed."""
+    """Whether a frame runs code of the user's: in a file, and neither ours nor installed."""
     module, file = str(frame.f_globals.get("__name__", "")), frame.f_code.co_filename
     return module.partition(".")[0] != "robosmi" and not file.startswith(("<", *_installed()))
 

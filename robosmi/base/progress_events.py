@@ -23,7 +23,7 @@ def announce(what: str) -> None:
 
 
 def remark(what: str) -> None:
-    """Tell at once, in a line that stays, what a person need not wait for the result to know."""
+    """Tell at once, in a line that stays, what the user need not wait for the result to know."""
     reader = _reader.get()
     if reader is not None:
         reader(what)

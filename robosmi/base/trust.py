@@ -1,4 +1,4 @@
-"""Records which found folders may run code here: a person confirms this once for exactly the files in them.
+"""Records which found folders may run code here: the user confirms this once for exactly the files in them.
 
 Folders named on the command line or in Python need no confirmation. The confirmation is kept in the user's data as the digests
 of the files that would run; a file's digest is compared when it is read, so that only confirmed bytes run. `resources` finds

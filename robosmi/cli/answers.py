@@ -97,7 +97,7 @@ class ListedTargets(Protocol):
         """The contract's part of the document."""
 
     def lines(self) -> list[str]:
-        """The text for a person."""
+        """The text for the user."""
 
 
 class ImportedParts(Analysed, Protocol):
@@ -141,7 +141,7 @@ class ComparedPrograms(Analysed, Protocol):
 
     @property
     def notes(self) -> Sequence[str]:
-        """What else a person is told."""
+        """Further notes to the user."""
 
 
 class SimulatedSketch(Analysed, Protocol):
@@ -160,7 +160,7 @@ class ChosenSketch(MigratedSketch, Protocol):
     """A sketch that was made again after a choice."""
 
     def lines(self, *, every_file: bool = False) -> list[str]:
-        """What a person reads, with the changes of the main file or of every file."""
+        """What the user reads, with the changes of the main file or of every file."""
 
     @property
     def settings(self) -> Project:
@@ -208,7 +208,7 @@ class AnsweredChoice(Protocol):
 
 
 class EditedTexts(Protocol):
-    """The texts that a person edits."""
+    """The texts that the user edits."""
 
     @property
     def texts(self) -> dict[Path, str]:

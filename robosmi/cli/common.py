@@ -43,7 +43,7 @@ def output_folder(text: str) -> Path:
 
 
 def command_line(command: str, *words: str | Path) -> str:
-    """A command of `robosmi` as a person types it in a POSIX shell."""
+    """A command of `robosmi` as the user types it in a POSIX shell."""
     return shlex.join(["robosmi", command, *map(str, words)])
 
 

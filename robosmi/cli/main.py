@@ -98,7 +98,7 @@ GROUPS = {
         "completion": "print a completion script for bash, zsh or fish",
     },
 }
-"""What a command is for, in the order in which a person needs it: group -> command -> summary."""
+"""What a command is for, in the order in which the user needs it: group -> command -> summary."""
 
 COMMANDS = {name: summary for group in GROUPS.values() for name, summary in group.items()}
 
@@ -221,7 +221,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 128 + (_received[0] if _received else signal.SIGINT)
     except SystemExit:  # of --help and --version
         raise
-    except BaseException as error:  # a person's rule may raise what is no Exception
+    except BaseException as error:  # the user's rule may raise what is no Exception
         if os.environ.get("ROBOSMI_DEBUG") and not isinstance(error, RobosmiError):
             raise
         return _failed(as_error(error), name, as_json, started, sarif)

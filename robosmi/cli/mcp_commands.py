@@ -27,7 +27,7 @@ from robosmi.errors import RobosmiError
 from robosmi.report.document import SCHEMA
 
 _KEPT = ("PATH", "LANG", "LC_ALL", "SYSTEMROOT", "ROBOSMI_NPM")
-"""What a command is told of the server's environment."""
+"""The variables of the server's environment that a command gets."""
 _GRACE_S = GRACE_S + 3
 """Seconds that a process has to end in order: its supervisor kills what it runs before."""
 _RECORDING = frozenset({"migrate", "generate", "choose"})

@@ -326,7 +326,7 @@ def answer_to(error: Exception) -> JSONRPCError:
     """
     faults = error.errors(include_url=False) if isinstance(error, ValidationError) else []
     given = next((fault for fault in faults if fault["type"] == "json_invalid"), None)
-    if given is None:  # a part that the message as a whole lacks is told with the whole message
+    if given is None:  # a part that the message as a whole lacks is reported with the whole message
         request = next((fault["input"] for fault in faults if fault["type"] == "missing" and len(fault["loc"]) == 2), None)
         said = ErrorData(code=INVALID_REQUEST, message="the message is not JSON-RPC 2.0: give jsonrpc, id, method and params")
         return JSONRPCError(jsonrpc="2.0", id=_identity(request), error=said)

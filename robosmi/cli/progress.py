@@ -29,7 +29,7 @@ LONG = 10.0
 
 @contextmanager
 def progress() -> Iterator[Progress | None]:
-    """What a chain is told to report to, None where standard error is no terminal; the line is wiped at the end.
+    """Where a chain reports its progress, None where standard error is no terminal; the line is wiped at the end.
 
     What is said in between is shown, too (see `robosmi.base.progress_events`). Within another one, this one is heard.
     """

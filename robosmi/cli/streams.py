@@ -73,7 +73,7 @@ def print_result(text: str) -> None:
 
 
 def complain(text: str) -> None:
-    """Write a message to standard error; where that cannot be written there is nobody to be told."""
+    """Write a message to standard error; where that cannot be written nobody can read it."""
     try:
         print(text, file=sys.stderr)
         sys.stderr.flush()

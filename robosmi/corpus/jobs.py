@@ -115,7 +115,7 @@ class ProgramResult(Struct):
         steps: those that were begun.
         files: path -> digest of the files that it depends on.
         message: why it is not done.
-        worker: where it was run, for a person.
+        worker: where it was run, for the user.
         other_version: whether it was not run because the worker has another version.
     """
 

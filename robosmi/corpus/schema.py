@@ -74,7 +74,7 @@ FINDINGS = Table(
     _column("column", Integer, "column in bytes, from 1"),
     _column("element", Text, "URI of the model element"),
     _column("fix", Text, "what to do"),
-    _column("task", Boolean, "whether it is a task that is left for a person"),
+    _column("task", Boolean, "whether it is a task that is left to the user"),
     comment="findings and tasks",
 )  # fmt: skip
 CALLS = Table(
@@ -109,7 +109,7 @@ PLANS = Table(
       for name in ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")),
     _column("call_sites", Integer, "calls of the platform's functions"),
     _column("with_body", Integer, "those of them that an adapter with a body replaces"),
-    _column("tasks", Integer, "tasks that are left for a person"),
+    _column("tasks", Integer, "tasks that are left to the user"),
     _column("open_choices", Integer, "choices that nobody has made"),
     _column("report", Text, "the report of the migration, relative to OUT"),
     comment="migration plans",

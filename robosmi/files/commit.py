@@ -145,7 +145,7 @@ def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: ExternalFile
                 with uninterrupted():
                     above.move(beside.name, folder.name)  # from here on the new files win
                     forget(beside)
-        except BaseException:  # a person's interruption, too
+        except BaseException:  # the user's interruption, too
             with suppress(OSError), uninterrupted():
                 drop(folder)
                 above.remove_folder(beside.name)
@@ -223,7 +223,7 @@ def _write(
                 wait(held.path, run, elsewhere)
                 _untouched_elsewhere(elsewhere)
             _untouched(held, [*contents, *removed], seen)
-    except BaseException:  # a person's interruption, too
+    except BaseException:  # the user's interruption, too
         with suppress(OSError), uninterrupted():
             drop(held.path)
             held.remove_folder(STAGE)

@@ -268,7 +268,7 @@ class DirectoryFd:
 
     @contextmanager
     def _named(self, name: str) -> Iterator[None]:
-        """Errors of the system name the path as a person knows it."""
+        """Errors of the system name the path as the user knows it."""
         try:
             yield
         except OSError as error:

@@ -63,7 +63,7 @@ def wait(folder: Path, run: str, files: ExternalFiles) -> None:
                 there = around.look(path.name)
                 around.write(one.beside, new or b"", stat.S_IMODE(there.st_mode) if there is not None else None)
         except OSError as error:
-            error.filename = one.path  # a person knows the file, not the one beside it
+            error.filename = one.path  # the user knows the file, not the one beside it
             raise
 
 

@@ -79,7 +79,7 @@ def writing(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Context manager: delay interruptions by a person, and requests to terminate, until all files are in place."""
+    """Context manager: delay interruptions by the user, and requests to terminate, until all files are in place."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -166,7 +166,7 @@ def _throw_away(above: DirectoryFd, name: str, folder: Path) -> None:
         folder: the output folder that the files were for.
 
     Raises:
-        StoppedError: a run is at work there, or no run of this user has made it: what is in it may be a person's.
+        StoppedError: a run is at work there, or no run of this user has made it: what is in it may be the user's.
         SourceError: a link or a file has its name.
     """
     path = above.path / name

@@ -353,7 +353,7 @@ class GenerationRule(Struct, eq=False, dict=True):
         pre: called before the template is chosen.
         post: called with the path of the file (or the text, without a target) as last argument, after the file was made.
         overwrite: whether a file that is there is made anew.
-        merge: whether what a person wrote in protected regions is put into it.
+        merge: whether what the user wrote in protected regions is put into it.
         append: whether the text comes behind what the file holds, and nothing is merged.
         formatters: applied to the text one after the other.
     """

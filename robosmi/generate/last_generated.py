@@ -22,7 +22,7 @@ _AS_BYTES = "surrogateescape"
 
 
 MergeView = Callable[[str, str, str, str, Path], tuple[str, str]]
-"""A function that adapts texts for the merge, so that changes a person is entitled to make are no conflicts.
+"""A function that adapts texts for the merge, so that changes the user is entitled to make are no conflicts.
 
 It maps (relative path, previously generated text, existing text, new text, path) to the adapted first two texts.
 """
@@ -44,7 +44,7 @@ class MergedTexts:
         merged: the files whose edits, if any, are in `files`, and their records; any other existing file must be guarded.
         obsolete: files (and their records) that an earlier run made, this one does not, and nobody changed.
         orphans: the same, but changed: they stay, with their records.
-        findings: what was kept, and what a person has to look at.
+        findings: what was kept, and what the user has to look at.
     """
 
     def __init__(self, places: Places, place: str, known: Mapping[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""The manifest: what the last run made, so that nothing a person changed is ever overwritten.
+"""The manifest: what the last run made, so that nothing the user changed is ever overwritten.
 
 `.robosmi.json` in the output folder lists every generated file with the digest it had. A file whose digest is not that one was
 edited; the run stops before anything is written. Files that no run made are never touched. A manifest that came with its folder

@@ -1,4 +1,4 @@
-"""Keeps a person's edits outside of regions, too: merges the new text, the previously generated one, and the file.
+"""Keeps the user's edits outside of regions, too: merges the new text, the previously generated one, and the file.
 
 `merge_edits` decides for one file and does not access the disk; `record` knows the previous texts, `staging` the files. In
 addition to EGL's merge, an edit anywhere survives or becomes a marked conflict, and a region whose element is gone stays in its
@@ -30,7 +30,7 @@ class MergedText(Struct):
 
     Attributes:
         text: its new text.
-        findings: what was kept, and what a person has to look at.
+        findings: what was kept, and what the user has to look at.
         save_old: whether the old file is to be kept beside it.
         refused: why the run must stop instead; None if it need not.
     """
@@ -78,7 +78,7 @@ def _ended(text: str) -> str:
 
 
 def _ends_with_a_break(base: str | None, existing: str, generated: str) -> bool:
-    """Whether the merged text ends with a line break: as in the file if a person changed that, else as generated."""
+    """Whether the merged text ends with a line break: as in the file if the user changed that, else as generated."""
     there = existing in ("", _ended(existing))
     changed = base is None or there != (base == _ended(base))
     return there if changed else generated == _ended(generated)

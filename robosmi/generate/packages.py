@@ -1,4 +1,4 @@
-"""Writes generated Python packages where a person's files may lie: atomically, and without overwriting a person's files.
+"""Writes generated Python packages where the user's files may lie: atomically, and without overwriting the user's files.
 
 `generate_packages` is the function behind `robosmi metamodels generate`. Each outermost package is a folder with a record
 (`.robosmi.json`) of its generated files, so that an edited or foreign file stops the run. `model.codegen` generates the files.

@@ -1,4 +1,4 @@
-"""Adds, changes and removes entries of a person's `robosmi.toml`, leaving everything else as it is.
+"""Adds, changes and removes entries of the user's `robosmi.toml`, leaving everything else as it is.
 
 tomlkit preserves comments, order and layout. The result is read back before it is used; if it does not have the intended
 meaning, it is discarded. Nothing is written here: the change is part of the commit of the run that makes the choice

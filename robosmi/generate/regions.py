@@ -1,7 +1,7 @@
 """Protected and controlled regions in a text, by the marker text of EGL, so that either tool reads the other's files.
 
 A region stands between `START protected region ID on|off begin END` and `START protected region ID end END`, where START and END
-are the two parts of a comment. `partition` takes a text apart, `merge` puts what a person wrote into a newly made text. Who
+are the two parts of a comment. `partition` takes a text apart, `merge` puts what the user wrote into a newly made text. Who
 writes files, and what becomes of text outside regions, is not decided here.
 Source: Epsilon, EGL: Merge Engine; the engine's answers are in tests/epsilon/cases/egl.
 """
@@ -82,7 +82,7 @@ class Region(Struct, frozen=True):
         return replace(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
 
     def as_in(self, other: Region) -> Region:
-        """The region with a person's contents, state and marker formatting from the existing file."""
+        """The region with the user's contents, state and marker formatting from the existing file."""
         if (other.kind, other.style) != (self.kind, self.style):
             return self.with_contents(other.contents, other.enabled)
         return replace(other, line=self.line)
@@ -92,7 +92,7 @@ class BrokenMarker(Struct, frozen=True):
     """A marker that belongs to no region: its line, its region's id, and what is wrong with it.
 
     Attributes:
-        crowded: whether the fault is text after it on its line, so that a person sees a region there but the engine does not.
+        crowded: whether the fault is text after it on its line, so that the user sees a region there but the engine does not.
     """
 
     line: int
@@ -212,7 +212,7 @@ class Merged(Struct, frozen=True):
     Attributes:
         text: the merged text.
         lost: the ids of regions that the new text no longer has.
-        broken: markers of the file that no region has, though the new text makes such a region: what a person wrote there is not
+        broken: markers of the file that no region has, though the new text makes such a region: what the user wrote there is not
             in the merged text.
         owned: whether the file is the user's and only its controlled regions were made anew.
     """
@@ -224,7 +224,7 @@ class Merged(Struct, frozen=True):
 
 
 def merge(generated: str, existing: str, styles: Sequence[CommentStyle]) -> Merged:
-    """A newly made text with the regions that a person turned on in an existing one (EGL's merge).
+    """A newly made text with the regions that the user turned on in an existing one (EGL's merge).
 
     If the first region of the new text is a controlled one it is the other way round: the existing text stays and its
     controlled regions that are on are made anew.

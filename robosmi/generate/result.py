@@ -174,7 +174,7 @@ class Generation(Struct, dict=True):
         folder: the output folder.
         files: its files in the order they were made.
         messages: what EGL's engine says of them.
-        findings: what was kept, lost, or needs a person.
+        findings: what was kept, lost, or needs the user.
         written: relative paths of all that was written (or would be, in a dry run), records and saved old files included.
         removed: relative paths of what was removed.
         done: whether it was written; false for a dry run.

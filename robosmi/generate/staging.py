@@ -211,7 +211,7 @@ class Staging:
         file.text, file.made, file.touched = text, made, True
 
     def _broken(self, name: str, broken: BrokenMarker) -> None:
-        """Handle a region whose markers a person has damaged.
+        """Handle a region whose markers the user has damaged.
 
         Raises:
             StoppedError: the person still sees a region there, but the engine does not.
@@ -340,7 +340,7 @@ class Staging:
             note(path, data, *([before] if own and before is not None else []))
 
     def _obsolete(self, record: Record, name: str, removed: list[str], *, mine: bool) -> None:
-        """A file that an earlier run made and this one does not: removed if it was this user's, unless a person changed it."""
+        """A file that an earlier run made and this one does not: removed if it was this user's, unless the user changed it."""
         there, (last, _) = self.file(name).before, record.last(name, None)
         if not mine and (there is None or same_text(there, last)):
             self.findings += [retained_file(self.folder / name)] if there is not None else []

@@ -212,7 +212,7 @@ class Templates:
         """Make sure that the next run finds the regions again that a template has made.
 
         Raises:
-            RuleError: one of them cannot be found, so that what a person writes there would be lost.
+            RuleError: one of them cannot be found, so that what the user writes there would be lost.
         """
         found = partition(text, self.comments.styles).by_id()
         for identity in regions:

@@ -1,4 +1,4 @@
-"""Three-way merge of texts by lines: what a person changed and what the generator changed since the same base.
+"""Three-way merge of texts by lines: what the user changed and what the generator changed since the same base.
 
 The algorithm is diff3's: lines that both sides left alone are where they meet; between such lines, a side that did not change
 gives way, and both having changed is a conflict unless they changed alike. `by_words` does the same with the words of such lines.

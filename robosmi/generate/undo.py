@@ -133,7 +133,7 @@ def save_previous(
 def _amended(folder: Path, files: Mapping[str, list[str | None]], before: Mapping[str, bytes | None]) -> dict[str, Json] | None:
     """The record of the state before the last run, with what a further run changes; None without a record.
 
-    A file that a person has changed since the last run keeps its entry, so that `undo` still stops before the edit is lost.
+    A file that the user has changed since the last run keeps its entry, so that `undo` still stops before the edit is lost.
     """
     try:
         known = as_table(json_of(stored_of(folder, STATE)))
@@ -333,7 +333,7 @@ def _bytes(path: Path, kind: Kind = SETTINGS) -> bytes | None:
 
 
 def _shown(names: Collection[str]) -> list[str]:
-    """The names of files that concern a person, without records."""
+    """The names of files that concern the user, without records."""
     return sorted(name for name in names if not name.startswith(".robosmi"))
 
 

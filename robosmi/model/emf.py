@@ -281,7 +281,7 @@ class EmfModel(TypedModel):
             contained = root.eContainer() is not None
             if resource is home and not contained:
                 continue
-            if resource is home:  # a root that another file contains: changes in it are told to the outermost element's file
+            if resource is home:  # a root that another file contains: the outermost element's file receives changes in it
                 resource = resource_of(root)
                 if resource is None:
                     continue

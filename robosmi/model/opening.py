@@ -138,7 +138,7 @@ def code_of_driver(file: Path, driver: str | None = None) -> list[Path]:
     """
     try:
         key = _key_of(file, driver)
-    except (RobosmiError, OSError):  # it is told when the file is opened
+    except (RobosmiError, OSError):  # reported when the file is opened
         return []
     if not registry().owner("driver", key):
         return []

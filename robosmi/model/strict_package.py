@@ -142,7 +142,7 @@ else:
                             setattr(cls, key, _OwnCode(vars(mixin)[key], namespace[key]))
 
     class _OwnCode:
-        """A person's property that computes a derived feature; all else that is asked of it is the feature's (`eType`)."""
+        """The user's property that computes a derived feature; all else that is asked of it is the feature's (`eType`)."""
 
         def __init__(self, code: property, feature: ecore.EStructuralFeature) -> None:
             vars(self).update(code=code, feature=feature)

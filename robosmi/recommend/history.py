@@ -1,4 +1,4 @@
-"""History of earlier choices: which library a person took for which part, and how often (paper, section 3.3, phase two).
+"""History of earlier choices: which library the user took for which part, and how often (paper, section 3.3, phase two).
 
 The key of a part is its identifier in the catalogue and its title, together and letter for letter; version of the library,
 target and the component's name are kept beside it. Reading never makes a file; every write is one transaction, so that

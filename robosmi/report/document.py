@@ -27,12 +27,12 @@ class Report(Struct):
         result: the command's own part of the document.
         rest: makes what else belongs to `result`, where that takes work which only a reader of the document wants.
         findings: what is worth knowing.
-        tasks: what is left for a person.
+        tasks: what is left for the user.
         artifacts: files written, {path, kind}.
         ok: whether the command did what it was asked to.
         failure_code: the exit code when it did not.
         lines: text for a terminal.
-        next: the command that a person usually runs next, for a terminal; empty for none.
+        next: the command that the user usually runs next, for a terminal; empty for none.
         then: what goes on once the report is printed, such as a page that is served; None for nothing.
     """
 

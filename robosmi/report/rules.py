@@ -109,7 +109,7 @@ def rule_called(word: str, rules: dict[str, FindingRule]) -> FindingRule:
     """The rule of an id (`RS311`, `311`) or a name (`NumberTooWide`, `number-too-wide`); upper and lower case are alike.
 
     Args:
-        word: what a person wrote.
+        word: what the user wrote.
         rules: all rules, by their ids.
 
     Raises:

@@ -1,4 +1,4 @@
-"""A report as a person reads it at a terminal: the command's lines, then its findings, the worst first, alike ones together.
+"""A report as the user reads it at a terminal: the command's lines, then its findings, the worst first, alike ones together.
 
 Texts of files and models stay text there: they send a terminal no sequence and begin no line. Colour is only for a terminal that
 takes it.
@@ -20,7 +20,7 @@ _COLOURS = {Severity.error: "31", Severity.warning: "33", Severity.info: "36"}
 
 
 def terminal_text(report: Report, *, verbose: bool = False, colour: bool = False) -> str:
-    """What a person reads.
+    """What the user reads.
 
     Args:
         report: the report.

@@ -327,7 +327,7 @@ def device_class(kind: str) -> type[Device]:
 
 
 class Device:
-    """A device at the pins: it plays the physical side, and notes what a person would see of it.
+    """A device at the pins: it plays the physical side, and notes what the user would see of it.
 
     Attributes:
         pin_names: what the device calls its pins; all of them have to be connected.

@@ -1,4 +1,4 @@
-"""Lines and branches of the source that no scenario has reached, as a person reads them: ranges of lines by file."""
+"""Lines and branches of the source that no scenario has reached, as the user reads them: ranges of lines by file."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def format_ranges(places: Sequence[str], whole: bool = False) -> str:
     """Places in one line, each file named once, as `a.c:3, 5-9; b.c:2`.
 
     Args:
-        places: as `file:line` or `file:first-last`; several of one place are told once.
+        places: as `file:line` or `file:first-last`; several of one place are listed once.
         whole: whether to tell all of them, however many there are.
     """
     listed = list(dict.fromkeys(places))

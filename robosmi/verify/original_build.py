@@ -100,7 +100,7 @@ def build_original(
         headers: name -> text of further headers, looked for last.
         limit_s: seconds of processor time for all of it.
         only: the files that the program may include, and those of the model; any if None.
-        trusted: whether a person trusts the program, so that it may also run where the system has no sandbox for it.
+        trusted: whether the user trusts the program, so that it may also run where the system has no sandbox for it.
         stubs: functions that do nothing if there is no model of them -> whether they return a fraction.
 
     Raises:

@@ -394,7 +394,7 @@ class HostBench(Bench):
 
     @property
     def unheeded(self) -> dict[int, str]:
-        """Number -> label of each pin at which no device has to be told of a change."""
+        """Number -> label of each pin at which no device has to see a change."""
         heeded = {pin for pin, devices in self._at_pin.items() if not all(device.is_played for device in devices)}
         return {number: label for number, label in enumerate(self.labels) if label not in heeded}
 

@@ -21,7 +21,7 @@ from robosmi.verify.toolchains.tools import run
 SOURCE = Path(__file__).with_suffix(".c")
 FLAGS = ("-m64", "-static", "-O1", "-Wall", "-Wextra")
 TRUST = "--trust-original"
-"""The option with which a person lets a program run outside of the sandbox."""
+"""The option with which the user lets a program run outside of the sandbox."""
 _CHECK_S = 10.0
 
 

@@ -11,7 +11,7 @@
 `stored = [[32768, 3, 0, 0, 0]]` beside `horizon_ms` has bytes that an earlier run has stored in the board's memory: rows of an
 address and the bytes from there on.
 
-What a value means is told by the device that plays it. Which components there are, and which device stands for each, is content;
+The device that plays a value defines what it means. Which components there are, and which device stands for each, is content;
 nothing here knows a device.
 """
 
@@ -51,7 +51,7 @@ class Scenario(Struct, frozen=True):
         horizon_ms: how long it lasts, in milliseconds of simulated time.
         signals: component, port or pin -> setting of its device (`points` where a signal has no name of its own) -> the signal.
         stored: what the board's memory keeps from an earlier run: rows of an address and the bytes from there on.
-        origin: `given` by a person, `stored` with the models, or `generated`.
+        origin: `given` by the user, `stored` with the models, or `generated`.
         path: the file that it was read from, or None.
     """
 

@@ -1,4 +1,4 @@
-// The page of a plan. All that it shows comes from the server as escaped text; it only sends what a person chooses, one after the other.
+// The page of a plan. All that it shows comes from the server as escaped text; it only sends what the user chooses, one after the other.
 "use strict";
 (() => {
   const body = document.body, by = id => document.getElementById(id), live = "live" in body.dataset;
@@ -9,7 +9,7 @@
     by("status").textContent = text;
   }
 
-  // ---- what a person chooses
+  // ---- what the user chooses
 
   function what(about) {
     return "undo" in about ? "undo" : "tick" in about ? "the tick" : "rule" in about ? `${about.rule} of ${about.element}` : about.value ? `${about.id} = ${about.value}` : `${about.id} reopened`;

@@ -152,13 +152,14 @@ def test_a_block_cannot_be_put_into_itself(make: Any) -> None:
 
 def test_many_new_objects_are_old_after_a_load_and_are_collected_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compact_slots, "_aged", 0)
+    monkeypatch.setattr(compact_slots, "_none_frozen", True)
     monkeypatch.setattr(gc, "get_freeze_count", lambda: 0)  # of the tests' own objects
 
     class Circle(list[Any]):
         """An object that only the collector can remove."""
 
     with compact_slots.collector_at_rest():
-        circles = [Circle() for _ in range(compact_slots._MANY + 1)]
+        circles = [Circle() for _ in range(compact_slots._MANY + 1000)]
         for circle in circles:
             circle.append(circle)
     there, circles[:] = weakref.ref(circles[-1]), []
@@ -172,6 +173,25 @@ def test_many_new_objects_are_old_after_a_load_and_are_collected_all_the_same(mo
         assert there() is None
     assert gc.isenabled()
     gc.freeze()  # as tests are run
+
+
+def test_frozen_objects_of_somebody_else_are_counted_once_and_stay_frozen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Python counts them one by one, which takes longer than to load a small model."""
+    counted: list[int] = []
+
+    def frozen() -> int:
+        counted.append(1)
+        return 7
+
+    monkeypatch.setattr(compact_slots, "_none_frozen", True)
+    monkeypatch.setattr(gc, "get_freeze_count", frozen)
+    monkeypatch.setattr(gc, "unfreeze", lambda: pytest.fail("they would thaw"))
+    for many in (10, compact_slots._MANY, compact_slots._MANY):
+        with compact_slots.collector_at_rest():
+            made: list[list[int]] = [[] for _ in range(many + 1000)]
+        assert len(made) > many
+        del made
+    assert counted == [1]
 
 
 def test_the_order_of_collected_opposites_is_the_order_of_making() -> None:

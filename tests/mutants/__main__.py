@@ -1,9 +1,10 @@
-"""The mutation score of the tests: `python -m tests.mutants [--tier check] [--count 60] [--seed 1] [--jobs 2] [TEST...]`.
+"""The mutation score of the tests: `python -m tests.mutants [--tier check] [--count 60] [--seed 1] [--jobs 2] [--stages 3]`.
 
-The tests of the tier, or those of them that are named, run once and have to pass; so it is known which lines of the product which
-tests execute. Then one small change at a time is made in these lines (`changes`), in memory, and the tests run until one fails:
-first those that execute the line, then those that execute anything of the module, then all. What no test notices is listed, and
-is a gap of the tests, unless `equivalent.toml` says why nothing can tell the change. An interrupted campaign goes on.
+One small change at a time is made in a line of the product (`changes`), in memory, and the tests run until one fails: first the
+test files that are nearest to the module (`nearest`), then more of them, then all others of the tier. With fewer stages the
+score is a lower bound, and it is there much sooner. What no test notices is listed, and is a gap of the tests, unless
+`equivalent.toml` says why nothing can tell the change. Results are stored in `out/mutants`: an interrupted campaign goes on, and
+one with more stages begins where the other has ended.
 """
 
 from __future__ import annotations
@@ -17,22 +18,30 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from tests.mutants.changes import Change, changes
-from tests.mutants.reached import REACHED, lines_reached
+from tests.mutants.nearest import nearest
 from tests.recording.mutant import MUTANT
+from tests.source_imports import modules
 from tests.tiers import TIERS
 
 ROOT = Path(__file__).parents[2]
 OUT = ROOT / "out" / "mutants"
+BYTECODE = ROOT / ".pytest_cache" / "bytecode"
 RECORDING = ROOT / "tests" / "recording"
 """Its `sitecustomize` puts the mutant in place, in every Python that is started."""
 EQUIVALENT = Path(__file__).parent / "equivalent.toml"
 LIMIT_S = 3600.0
 """Seconds after which a change has made the tests endless, which is noticed."""
+
+
+STAGES = (8, 60, None)
+"""How many of the nearest test files have run at the end of each stage; None for all."""
+NONE_RAN = (0, 5)
+"""Exit codes of pytest: all tests passed, or no test of the files is of the tier."""
 
 
 @dataclass(frozen=True)
@@ -43,20 +52,17 @@ class Mutant:
         module: the module's path, relative to the project.
         change: the change.
         text: the module's text as it is.
-        first: the tests that execute the line.
-        then: the tests that execute anything else of the module.
     """
 
     module: str
     change: Change
     text: bytes
-    first: frozenset[str]
-    then: frozenset[str]
 
     @property
     def name(self) -> str:
         """The name, which lasts as long as the module's text does not change."""
-        return f"{self.module}:{self.change.line}: {self.change.shown(self.text)}"
+        digest = hashlib.sha256(self.text).hexdigest()[:8]
+        return f"{self.module}:{self.change.line}: {self.change.shown(self.text)} ({self.change.start} of {digest})"
 
     @property
     def lasting(self) -> tuple[str, str, str]:
@@ -65,78 +71,86 @@ class Mutant:
         return self.module, line, self.change.shown(self.text)
 
 
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a mutant.
+
+    Attributes:
+        stages: how many stages have run.
+        test: the test that noticed it, or `no end`; empty for none.
+    """
+
+    stages: int = 0
+    test: str = ""
+
+
 class Campaign:
     """Mutants and the tests of one tier.
 
     Attributes:
         tier: the tier whose tests run.
         jobs: the number of processes among which they are shared out; 0 for one alone.
-        tests: paths of those that run; all of the tier if there are none.
     """
 
-    def __init__(self, tier: str, jobs: int, tests: list[str]) -> None:
+    def __init__(self, tier: str, jobs: int) -> None:
         self.tier = tier
         self.jobs = jobs
-        self.tests = tests
-        files = [path for folder in ("robosmi", "transformations", "tests") for path in sorted((ROOT / folder).rglob("*.py"))]
-        texts = [path.read_bytes() for path in files] + [test.encode() for test in tests]
-        self.digest = hashlib.sha256(b"".join(texts)).hexdigest()[:12]
         OUT.mkdir(parents=True, exist_ok=True)
-        self.kept = OUT / f"{tier}-{self.digest}.json"
+        self.stored = OUT / f"{tier}.json"
+        known = json.loads(self.stored.read_text(encoding="utf-8")) if self.stored.is_file() else {}
+        self.outcomes = {name: Outcome(**each) for name, each in known.items()}
 
-    def possible(self) -> list[Mutant]:
-        """All changes of the lines that the tests execute."""
-        begin = OUT / f"reached-{self.tier}-{self.digest}"
-        if not (begin.parent / f"{begin.name}.done").is_file():
-            print(f"the tier {self.tier} runs once, to see what it executes", flush=True)
-            if self._tests(self.tests, {REACHED: str(begin)}, "-p", "tests.mutants.reached") != 0:
-                raise SystemExit(f"the tier {self.tier} does not pass as it is")
-            (begin.parent / f"{begin.name}.done").touch()
-        return list(self._mutants(lines_reached(begin)))
+    def judge(self, mutant: Mutant, stages: int) -> Outcome:
+        """Run the tests for a mutant until one notices it or so many stages have run, and store the outcome."""
+        outcome = self.outcomes.get(mutant.name, Outcome())
+        while not outcome.test and outcome.stages < stages:
+            files = nearest(ROOT / mutant.module)
+            begin = STAGES[outcome.stages - 1] if outcome.stages else 0
+            test = self._failing(mutant, files[begin : STAGES[outcome.stages]])
+            outcome = self.outcomes[mutant.name] = Outcome(outcome.stages + 1, test)
+            stored = {name: {"stages": each.stages, "test": each.test} for name, each in self.outcomes.items()}
+            self.stored.write_text(json.dumps(stored, indent=1), encoding="utf-8")
+        return outcome
 
-    def _mutants(self, reached: dict[Path, dict[int, set[str]]]) -> Iterator[Mutant]:
-        for path, lines in sorted(reached.items()):
-            text = path.read_bytes()
-            of_module = frozenset(test for tests in lines.values() for test in tests if test)
-            for change in changes(text):
-                if tests := lines.get(change.line):
-                    first = frozenset(filter(None, tests))
-                    yield Mutant(path.relative_to(ROOT).as_posix(), change, text, first, of_module - first)
-
-    def judge(self, mutant: Mutant) -> str:
-        """What notices a mutant: `a test of its line`, `a test of its module`, `another test`, or nothing: an empty text."""
+    def _failing(self, mutant: Mutant, files: list[Path]) -> str:
+        """The first test in some files that fails with a mutant; empty if none does."""
         with tempfile.TemporaryDirectory(prefix="robosmi-mutant-") as place:
             file = Path(place) / "mutant.json"
             text = mutant.change.applied(mutant.text).decode()
             file.write_text(json.dumps({"path": os.path.realpath(ROOT / mutant.module), "text": text}))
-            around = {
-                MUTANT: str(file),
-                "PYTHONPATH": str(RECORDING),
-                "XDG_CACHE_HOME": place,
-            }  # nothing that a mutant makes lasts
-            if mutant.first and self._tests(mutant.first, around, "-x"):
-                return "a test of its line"
-            if mutant.then and self._tests(mutant.then, around, "-x"):
-                return "a test of its module"
-            return "another test" if self._tests(self.tests, around, "-x") else ""
+            around = {MUTANT: str(file), "PYTHONPATH": str(RECORDING), "XDG_CACHE_HOME": place}  # nothing of it lasts
+            return self.failing(files, around)
 
-    def _tests(self, tests: Iterable[str], around: dict[str, str], *options: str) -> int:
-        """Run tests of the tier, all if none are named; the exit code of pytest."""
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--tier", self.tier, *options]
+    def failing(self, files: list[Path], around: dict[str, str]) -> str:
+        """The first test of the tier in some files that fails, run in this order; empty if none does.
+
+        Args:
+            files: the files.
+            around: variables of the environment.
+        """
+        command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "--tier", self.tier]
         command += ["-n", str(self.jobs), "--dist", "worksteal"] if self.jobs else []
-        with tempfile.NamedTemporaryFile("w", suffix=".txt") as named:
-            named.write("".join(f"{test}\n" for test in sorted(tests)))
-            named.flush()
-            command += [f"@{named.name}"] if named.tell() else []
-            try:
-                done = subprocess.run(
-                    command, cwd=ROOT, env=os.environ | around, capture_output=True, text=True, timeout=LIMIT_S, check=False
-                )
-            except subprocess.TimeoutExpired:
-                return 1
-        if done.returncode and REACHED in around:
-            print(done.stdout[-4000:], done.stderr[-1000:])
-        return done.returncode
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+        environment |= {"PYTHONPYCACHEPREFIX": str(BYTECODE), **around}
+        try:
+            done = subprocess.run(
+                [*command, *map(str, files)],
+                cwd=ROOT, env=environment, capture_output=True, text=True, timeout=LIMIT_S, check=False,
+            )  # fmt: skip
+        except subprocess.TimeoutExpired:
+            return "no end"
+        if done.returncode in NONE_RAN:
+            return ""
+        told = [line for line in done.stdout.splitlines() if line.startswith(("FAILED ", "ERROR "))]
+        return told[0].split(" - ")[0] if told else f"pytest ends with {done.returncode}"
+
+
+def possible() -> Iterator[Mutant]:
+    """All changes of the product's modules that are written by hand."""
+    for path in modules("robosmi", "transformations"):
+        text = path.read_bytes()
+        for change in changes(text):
+            yield Mutant(path.relative_to(ROOT).as_posix(), change, text)
 
 
 def equivalent() -> dict[tuple[str, str, str], str]:
@@ -160,24 +174,23 @@ def main() -> int:
     parser.add_argument("--tier", choices=list(TIERS), default="check")
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--jobs", type=int, default=0, help="processes that share out the tests of a mutant; 0 for one alone")
+    parser.add_argument("--stages", type=int, choices=range(1, len(STAGES) + 1), default=len(STAGES))
     parser.add_argument("--only", default="", help="mutants of the modules whose paths contain this text")
-    parser.add_argument("tests", nargs="*", help="paths of the tests to run; all of the tier if there are none")
-    asked = parser.parse_args()
-    campaign = Campaign(asked.tier, asked.jobs, asked.tests)
+    given = parser.parse_args()
+    campaign = Campaign(given.tier, given.jobs)
     known = equivalent()
-    noticed: dict[str, str] = json.loads(campaign.kept.read_text()) if campaign.kept.is_file() else {}
-    chosen = sample([each for each in campaign.possible() if asked.only in each.module], asked.count, asked.seed)
+    chosen = sample([each for each in possible() if given.only in each.module], given.count, given.seed)
+    counted, seen = 0, 0
     for number, mutant in enumerate(chosen, 1):
-        if mutant.name not in noticed:
-            noticed[mutant.name] = campaign.judge(mutant)
-            campaign.kept.write_text(json.dumps(noticed, indent=1))
-        said = noticed[mutant.name] or (f"EQUIVALENT: {known[mutant.lasting]}" if mutant.lasting in known else "UNNOTICED")
-        print(f"{number} [{mutant.change.kind}] {mutant.name}: {said}", flush=True)
-    counted = [each for each in chosen if noticed[each.name] or each.lasting not in known]
-    seen, same = sum(bool(noticed[each.name]) for each in counted), len(chosen) - len(counted)
-    score = 100 * seen / max(1, len(counted))
-    print(f"tier {asked.tier}: {seen} of {len(counted)} mutants noticed, {score:.0f} %; {same} are equivalent")
+        outcome = campaign.judge(mutant, given.stages)
+        reason = "" if outcome.test else known.get(mutant.lasting, "")
+        counted, seen = counted + (not reason), seen + bool(outcome.test)
+        result = outcome.test or (f"EQUIVALENT: {reason}" if reason else "UNNOTICED")
+        print(f"{number} [{mutant.change.kind}] {mutant.name}: {result}", flush=True)
+    least = "" if given.stages == len(STAGES) else "at least "
+    score = 100 * seen / max(1, counted)
+    print(f"tier {given.tier}: {least}{seen} of {counted} mutants noticed, {score:.0f} %; {len(chosen) - counted} are equivalent")
     return 0
 
 

@@ -6,12 +6,14 @@ import json
 import os
 import subprocess
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 import pytest
 
-from tests.mutants.__main__ import RECORDING, ROOT, Mutant, equivalent, sample
+from tests.mutants.__main__ import RECORDING, ROOT, Campaign, Mutant, Outcome, equivalent, sample
 from tests.mutants.changes import Change, changes
+from tests.mutants.nearest import nearest
 from tests.recording.mutant import MUTANT
 
 TEXT = b'''"""A module."""
@@ -72,11 +74,39 @@ def test_the_changes_of_the_product_are_python() -> None:
 
 
 def test_a_sample_is_the_same_for_a_seed_and_takes_a_line_once() -> None:
-    mutants = [Mutant("m.py", change, TEXT, frozenset(), frozenset()) for change in changes(TEXT)]
+    mutants = [Mutant("m.py", change, TEXT) for change in changes(TEXT)]
     chosen = sample(mutants, 4, 1)
     assert chosen == sample(mutants, 4, 1)
     assert len({each.change.line for each in chosen}) == 4
     assert len(sample(mutants, 99, 1)) == 5
+
+
+def test_the_tests_of_a_module_are_nearest_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    module, between = ROOT / "robosmi/model/xmi/xmi_reader.py", ROOT / "robosmi/model/emf.py"
+    named, importing, fixtures, far = (
+        ROOT / "tests" / name for name in ("model/xmi/test_xmi_reader.py", "cli/test_a.py", "model/test_b.py", "model/test_c.py")
+    )
+    users = {module: {between, importing}, between: {fixtures, importing}}
+    monkeypatch.setattr("tests.mutants.nearest._users", lambda: defaultdict(set, users))
+    monkeypatch.setattr("tests.mutants.nearest.modules", lambda _: [far, fixtures, importing, named, ROOT / "tests/running.py"])
+    assert nearest(module) == [named, importing, fixtures, far]
+
+
+def test_a_campaign_goes_on_where_it_has_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tests.mutants.__main__.OUT", tmp_path)
+    monkeypatch.setattr("tests.mutants.__main__.nearest", lambda _: [Path(f"{number}") for number in range(100)])
+    ran: list[tuple[int, int]] = []
+
+    def failing(_: Campaign, mutant: Mutant, files: list[Path]) -> str:
+        ran.append((int(files[0].name), int(files[-1].name)))
+        return "a test" if len(ran) == 3 else ""
+
+    monkeypatch.setattr(Campaign, "_failing", failing)
+    mutant = Mutant("m.py", changes(TEXT)[0], TEXT)
+    assert Campaign("check", 0).judge(mutant, 1) == Outcome(1, "")
+    assert Campaign("check", 0).judge(mutant, 3) == Campaign("check", 0).judge(mutant, 3) == Outcome(3, "a test")
+    assert ran == [(0, 7), (8, 59), (60, 99)]
+    assert Campaign("test", 0).outcomes == {}
 
 
 def test_a_mutant_is_what_a_run_and_all_that_it_starts_import(tmp_path: Path) -> None:
@@ -93,5 +123,5 @@ def test_a_mutant_is_what_a_run_and_all_that_it_starts_import(tmp_path: Path) ->
 def test_what_is_listed_as_equivalent_is_a_change_of_the_product_as_it_is() -> None:
     for module, line, change in equivalent():
         text = (ROOT / module).read_bytes()
-        possible = {each.lasting for each in (Mutant(module, c, text, frozenset(), frozenset()) for c in changes(text))}
+        possible = {each.lasting for each in (Mutant(module, c, text) for c in changes(text))}
         assert (module, line, change) in possible

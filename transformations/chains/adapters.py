@@ -1,4 +1,4 @@
-"""The chains `adapters list`, `show` and `save`: available adapters, and bodies written by a person that are kept for later.
+"""The chains `adapters list`, `show` and `save`: available adapters, and bodies written by the user that are kept for later.
 
 `save` takes the bodies that were written into placeholders of a generated program and adds them to an adapter file beside the
 project file or in the user's data, where later migrations find them before the built-in ones.
@@ -60,7 +60,7 @@ class AdapterReport(Struct):
         return {"adapters": self.adapters} | ({"written": self.written} if self.written else {})
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         lines = []
         for each in self.adapters:
             text = each.get("text")
@@ -174,7 +174,7 @@ def _whole(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
 
 
 def save_adapters(output: Path, whose: str) -> AdapterReport:
-    """Save the adapter bodies that a person wrote in a generated program.
+    """Save the adapter bodies that the user wrote in a generated program.
 
     Args:
         output: the output folder of a migration.

@@ -33,7 +33,7 @@ class Analysis(Struct, frozen=True):
     findings: list[Finding]
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         lines: list[str] = []
         for unit in self.result["units"]:
             counts = f"{unit['path']}: {quantity(len(unit['functions']), 'function')}, {quantity(len(unit['globals']), 'global')}"

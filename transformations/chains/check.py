@@ -36,7 +36,7 @@ from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.finding_locations import in_file
 
 DAMAGING = frozenset({"RS258"})
-"""Rules whose errors say that a pin of the board may be destroyed. A person who knows better accepts them (`[[accept]]`)."""
+"""Rules whose errors say that a pin of the board may be destroyed. The user who knows better accepts them (`[[accept]]`)."""
 
 
 class Checked:
@@ -156,7 +156,7 @@ def _metamodels(model: Model) -> list[str]:
 
 
 def upload_refusals(output: Path) -> Sequence[Finding]:
-    """The errors of a plan that a person has to accept before its program is uploaded; the registry's query of that name.
+    """The errors of a plan that the user has to accept before its program is uploaded; the registry's query of that name.
 
     Args:
         output: the output folder of a migration; any other folder has none.

@@ -1,4 +1,4 @@
-"""The chain `choose`: makes a person's choice in the plan of an output folder, and commits it at once.
+"""The chain `choose`: makes the user's choice in the plan of an output folder, and commits it at once.
 
 The plan records the value, who chose, when and why, and the sketch is generated again. If the project file lies beside the
 sources of the plan, the value is stored there, too. Everything is written in one run, which a single `undo` reverts. All front
@@ -83,7 +83,7 @@ class Chosen(Generated):
         }
 
     def lines(self, *, every_file: bool = False) -> list[str]:
-        """What a person reads: the answers, the changes of the sketch's main file, the names of other files that changed.
+        """What the user reads: the answers, the changes of the sketch's main file, the names of other files that changed.
 
         Args:
             every_file: show the changes of all files.
@@ -130,7 +130,7 @@ def choose(
     Raises:
         UsageError: there is no such choice or value.
         SourceError: the folder holds no plan, or it or the project file cannot be read, or the folder not be written.
-        StoppedError: the plan is not the one that was seen, another run is at work, or a person's edit would be lost.
+        StoppedError: the plan is not the one that was seen, another run is at work, or the user's edit would be lost.
     """
     folder = Path(output)
     if not (folder / STORED).is_file():
@@ -235,7 +235,7 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
 
 
 def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str = "") -> None:
-    """Make a person's choice of one decision in a plan; texts are updated when the plan is settled.
+    """Make the user's choice of one decision in a plan; texts are updated when the plan is settled.
 
     Raises:
         UsageError: there is no such value.
@@ -259,7 +259,7 @@ def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str =
 
 
 def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> None:
-    """Reopen the ports that a rule has bound to a pin which a person now gives another port, as a new migration would."""
+    """Reopen the ports that a rule has bound to a pin which the user now gives another port, as a new migration would."""
     for other in plan.portBindings:
         if other is not binding and other.pin is binding.pin and other.chosenBy is migration.ChosenBy.rule:
             bind_as_chosen(other, "", (), plan.board)  # type: ignore[arg-type]

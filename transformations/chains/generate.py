@@ -38,7 +38,7 @@ def generate(
     Raises:
         SourceError: the plan or a file beside it cannot be read, or does not match its digest.
         ModelError: a model contradicts its metamodel, or the plan itself.
-        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        StoppedError: a choice is open under `strict`, or the user's edit would be lost.
     """
     own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
     if not own:

@@ -35,7 +35,7 @@ class HardwareAnalysis(Struct, frozen=True):
     findings: list[Finding]
 
     def lines(self) -> list[str]:
-        """The text for a person: the components with their roles, parts that only pass a signal on, and the wiring table."""
+        """The text for the user: the components with their roles, parts that only pass a signal on, and the wiring table."""
         drawn, known = boards(self.circuit), ConnectorNames()
         titles = ", ".join(b.title for b in drawn)
         shown = [c for c in self.circuit.components if c.role not in (hw.Role.Decoration, hw.Role.Passive)]

@@ -73,7 +73,7 @@ class ShownLibrary(Struct, frozen=True):
         }  # fmt: skip
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         library = self.facts.library
         where = ", installed here" if library.installed else ""
         lines = [f"{library.name} {library.version}".rstrip() + f" <{library.header}>{where}"]
@@ -134,7 +134,7 @@ def pin_library(output: Path, name: str, version: str) -> Generated | None:
 
     Raises:
         SourceError: the folder has no plan, or cannot be written.
-        StoppedError: a person's edit would be lost.
+        StoppedError: the user's edit would be lost.
     """
     if not (output / STORED).is_file():
         raise SourceError("this folder has no plan", location=Location(str(output)), fix="give the output folder of a migration")

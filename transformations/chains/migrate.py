@@ -261,7 +261,7 @@ def judgement(
 
     Raises:
         UsageError: adapters are neither filled nor placeholders.
-        PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
+        PlatformDataError: an adapter file is wrong, or an adapter that the user keeps does not compile.
     """
     if kept is not None:
         return kept.judged
@@ -462,7 +462,7 @@ def migrate(
         strict: stop when a choice is open.
         project, hardware, target, source_platform, source_board, include_dirs, defines, libraries, bind, adapters, history,
             widths, ranker, bench, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
-        ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
+        ask: asks the user: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
         verify: compare what was made with the original at the end; the verdict is a finding of the plan.
         moved: the plan for another board that this one is made from.
@@ -471,7 +471,7 @@ def migrate(
     Raises:
         SourceError: an input cannot be read or used, or the output cannot be written.
         UsageError: a choice names what does not exist.
-        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        StoppedError: a choice is open under `strict`, or the user's edit would be lost.
     """
     if not dry_run:
         recover(Path(output))  # what a killed run has begun there may be a change of the project file, too

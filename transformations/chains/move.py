@@ -32,7 +32,7 @@ def migrate_or_move(
         output: the output folder; another one than that which is moved.
         target, hardware, project, dry_run, options: see `chains.migrate.migrate`. What is not given is as it was for the folder
             that is moved.
-        ask_pins: asks a person whether pins that are proposed for the other board are right, as rows of texts (`before`, `pin`,
+        ask_pins: asks the user whether pins that are proposed for the other board are right, as rows of texts (`before`, `pin`,
             `name`, `ports`); None to ask nobody.
 
     Raises:

@@ -1,4 +1,4 @@
-"""The chain `output_diff`: what differs between two migrations, for a person: the board, the choices, and the program's text."""
+"""The chain `output_diff`: what differs between two migrations, for the user: the board, the choices, and the program's text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of an output folder's plan: its sections as HTML, and a person's actions on it.
+"""The page of an output folder's plan: its sections as HTML, and the user's actions on it.
 
 It edits only through `choose`, `undo` and `generate`, and reads only the output folder. Access and serving are handled by
 `robosmi.report.page_server`.
@@ -74,7 +74,7 @@ class PlanPage:
         plan: the digest of the plan that the sections were made of.
         settings: the digest of robosmi.toml at that time; empty if there was none.
         sections: name -> HTML.
-        acceptable: rule and element of each finding that a person may say is on purpose.
+        acceptable: rule and element of each finding that the user may say is on purpose.
     """
 
     def __init__(
@@ -138,7 +138,7 @@ class PlanPage:
         )  # fmt: skip
 
     def act(self, what: str, about: Mapping[str, Json]) -> dict[str, Any]:
-        """Do what a person asks for on the page.
+        """Do what the user asks for on the page.
 
         Args:
             what: `choose` (id, value, why), `undo`, `tick` (tick, done) or `accept` (rule, element, reason; an empty one takes it

@@ -21,7 +21,7 @@ class PartsImport(Struct, frozen=True):
     findings: list[Finding]
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         roles = ", ".join(f"{role} {count}" for role, count in self.result["roles"].items())
         return [
             f"{self.result['added']} parts to {self.path} ({self.result['repeated']} duplicates)",

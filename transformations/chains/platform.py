@@ -38,7 +38,7 @@ class PlatformImport(Struct, frozen=True):
     written: list[str]
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         totals = self.result["totals"]
         lines = [
             f"{quantity(len(self.result['added']), 'header')} to {self.folder}: " + ", ".join(f"{totals[k]} {k}" for k in totals)

@@ -48,7 +48,7 @@ class Recommendations(Struct, frozen=True):
         return table(("component", "needs a library", "libraries, best first"), rows)
 
     def lines(self) -> list[str]:
-        """What a person reads: the decision with its reason, and where a library is of use the best five, each with a reason."""
+        """What the user reads: the decision with its reason, and where a library is of use the best five, each with a reason."""
         lines: list[str] = []
         for query, answer in zip(self.queries, self.answers, strict=True):
             sure = f" ({answer.confidence:.0%} sure)" if answer.confidence else ""

@@ -96,7 +96,7 @@ class Simulated(Struct):
         }
 
     def lines(self) -> list[str]:
-        """The text for a person: the console, and each pin with its number of changes."""
+        """The text for the user: the console, and each pin with its number of changes."""
         trace = self.trace
         if trace is None:
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]

@@ -71,7 +71,7 @@ class TargetTable(NamedTuple):
         return {"targets": [target.to_json() for target in self.known]}
 
     def lines(self) -> list[str]:
-        """The text for a person."""
+        """The text for the user."""
         width = max((len(target.name) for target in self.known), default=0)
         titles = max((len(target.title) for target in self.known), default=0)
         found = []

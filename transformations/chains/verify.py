@@ -87,7 +87,7 @@ class Verified(Struct):
         compiled: how the migrated program was compiled.
         written: files that were written, with their kind.
         lost: a finding for each kind of file that could not be written.
-        notes: what else a person is told.
+        notes: further notes to the user.
     """
 
     verdict: Verdict
@@ -113,7 +113,7 @@ class Verified(Struct):
         return self.verdict.to_json()
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         return self.verdict.lines()
 
 

@@ -1,6 +1,6 @@
 """The chain `watch`: the migrated program on a simulator and the original on its host model, side by side, as JSON for a page.
 
-A run is a scenario: the inputs that a person has moved so far, each with its instant. A run with a further input starts again at
+A run is a scenario: the inputs that the user has moved so far, each with its instant. A run with a further input starts again at
 reset, so that both sides see the same inputs at the same simulated time and their clocks cannot drift apart; what was shown
 before the input stays as it was, since both runs repeat. Both programs are built once, and again when a file of the sketch has
 changed. The comparison is that of `verify`.
@@ -409,7 +409,7 @@ _CONTROLS = {"level": "button", "number": "range", "whole number": "range", "tex
 
 
 def _inputs(ports: Sequence[BoundPort], scenario: Scenario) -> list[dict[str, Json]]:
-    """The inputs that a person can move: each with its control, its limits, its value at rest, and its points so far."""
+    """The inputs that the user can move: each with its control, its limits, its value at rest, and its points so far."""
     found: list[dict[str, Json]] = []
     for device in devices_at(ports, target=True):
         port = ports[device.ports[0]]

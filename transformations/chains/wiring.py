@@ -95,7 +95,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
 
 
 def _check_free(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Make sure that no file that a person may have edited, and no link, is overwritten."""
+    """Make sure that no file that the user may have edited, and no link, is overwritten."""
     for name, data in files.items():
         refuse_link(folder / name)
         try:

@@ -90,7 +90,7 @@ class Move:
         """The types of the program's numeric expressions on the target."""
         functions = _functions(self.views)
         functions.update({a.name: target_types(a) for a in self.plan.adapterUses})
-        sure = (s for s in self.plan.symbolUses if s.symbol is not None and s.symbol.typeName)  # a person gives the others theirs
+        sure = (s for s in self.plan.symbolUses if s.symbol is not None and s.symbol.typeName)  # the user gives the others theirs
         wide = {str(w.sourceType): str(w.targetType) for w in self.target.widths}
         declared = ((s.name, s.placeholder or wide.get(str(s.symbol.typeName), "") if s.symbol else "") for s in sure)
         symbols = {name: found[0] for name, text in declared if (found := _FIXED.search(text))}
@@ -163,7 +163,7 @@ class Move:
 
     @cached_property
     def to_write(self) -> set[str]:
-        """Functions of the source platform whose adapters a person still has to write."""
+        """Functions of the source platform whose adapters the user still has to write."""
         return {str(use.name) for use in self.plan.adapterUses if use.status is migration.AdapterStatus.todo}
 
     @cached_property
@@ -310,9 +310,9 @@ def _elements(kept: ItemOrItems) -> list[Element]:
 
 
 def severity_by(plan: migration.MigrationPlan, rule: str) -> migration.SeverityLevel | None:
-    """The severity that what a person decided gives a rule; None for a rule that has its own.
+    """The severity that what the user decided gives a rule; None for a rule that has its own.
 
-    Which ports a running program uses only a person knows: once one is bound, RS327 is no question any more, but the calls with
+    Which ports a running program uses only the user knows: once one is bound, RS327 is no question any more, but the calls with
     all other numbers still do nothing.
     """
     if rule != PORTS_OF_RUNS:

@@ -349,7 +349,7 @@ def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
 
 @plans.critique(id="RS263", location=place, advice="choose another library for one of them")
 def TimersAreNotShared(p: migration.MigrationPlan) -> bool | Fail:
-    """No two libraries that the sketch includes, or that a person chose, use the same timer."""
+    """No two libraries that the sketch includes, or that the user chose, use the same timer."""
     clashes = []
     users = timer_users(p)
     for timer in sorted({timer for timers, _ in users.values() for timer in timers}):
@@ -408,13 +408,13 @@ def _wants_pwm(w: Wiring, connection: migration.Connection) -> bool:
 
 
 def _counts(choice: migration.LibraryChoice) -> bool:
-    """Whether a chosen library is included by the sketch, or was chosen by a person and so is meant to be used."""
+    """Whether a chosen library is included by the sketch, or was chosen by the user and so is meant to be used."""
     return bool(choice.included) or choice.chosenBy is migration.ChosenBy.person
 
 
 @choices.critique(id="RS265", location=place, guard=_counts, advice="move the device to another pin, or choose another library")
 def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
-    """A library that the sketch includes, or that a person chose, does not use a pin that another device is on."""
+    """A library that the sketch includes, or that the user chose, does not use a pin that another device is on."""
     plan, library = of_plan(c), c.chosen
     assert plan is not None
     assert library is not None

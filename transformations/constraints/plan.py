@@ -60,7 +60,7 @@ def IsDecided(d: migration.Decision) -> bool | Fail:
 
 @plans.constraint(id="RS708", advice="correct the offsets, or run migrate again")
 def ChangesDoNotCross(p: migration.MigrationPlan) -> bool | Fail:
-    """Text changes do not overlap, and a change that a person added takes effect."""
+    """Text changes do not overlap, and a change that the user added takes effect."""
     wrong: list[str] = []
     widest: migration.TextChange | None = None
     placed = [(c.unit, c) for c in all_changes(p) if c.unit is not None and 0 <= c.startOffset <= c.endOffset <= c.unit.size]

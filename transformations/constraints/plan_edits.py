@@ -1,4 +1,4 @@
-"""Constraints that a stored plan must satisfy before anything is generated from it, since a person may have edited it.
+"""Constraints that a stored plan must satisfy before anything is generated from it, since the user may have edited it.
 
 `generate` refuses a plan that violates them; `check` evaluates them with all others (`plan`).
 """
@@ -27,7 +27,7 @@ uses = edits.context(migration.AdapterUse)
 
 
 def refuse_nonsense(edited: migration.MigrationPlan) -> None:
-    """Ensure that a plan that a person may have edited is consistent.
+    """Ensure that a plan that the user may have edited is consistent.
 
     Raises:
         ModelError: it contradicts itself.
@@ -60,7 +60,7 @@ def PinIsOfTheBoard(b: migration.PortBinding) -> bool | Fail:
 
 @bindings.constraint(id="RS716", advice="correct one of them in plan.xmi, or use --bind")
 def ChoiceIsWhatItRefersTo(b: migration.PortBinding) -> bool | Fail:
-    """The recorded choice of a port agrees with the binding's reference, unless a person edited the reference."""
+    """The recorded choice of a port agrees with the binding's reference, unless the user edited the reference."""
     now = referred(b) or "nothing"
     return not only_the_choice_was_edited(b) or Fail(
         f"the choice of the {named(b)} is {b.choice}, but the plan binds it to {now}"

@@ -63,7 +63,7 @@ def plan_of(decision: Element) -> migration.MigrationPlan:
 
 
 def _before(binding: migration.PortBinding) -> Iterator[migration.PortBinding]:
-    """The bindings of the plan that come before one, so that two that contradict each other are told once, at the second."""
+    """The bindings of the plan that come before one, so that two that contradict each other are reported once, at the second."""
     return takewhile(lambda other: other is not binding, plan_of(binding).portBindings)
 
 
@@ -229,7 +229,7 @@ def _timers(use: migration.AdapterUse) -> set[str]:
     advice="bind the port to the pin where such a part is wired, or remove the calls",
 )  # fmt: skip
 def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
-    """A function does not read a sensor that a person declared as not wired."""
+    """A function does not read a sensor that the user declared as not wired."""
     missing = [b for b in unwired_needs(plan_of(u), u)[0] if b.signal is migration.Signal.read]
     if not missing or u.adapter is None:
         return True
@@ -247,7 +247,7 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
 )  # fmt: skip
 def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> bool | Fail:
-    """A port that a person binds is on a component of the kind that its functions expect, and an output device is not read.
+    """A port that the user binds is on a component of the kind that its functions expect, and an output device is not read.
 
     A motor driver's channel turns a motor instead of a servo (RS269).
     """

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 GIVEN = "given by the user"
-"""The evidence text of a role that a person assigned."""
+"""The evidence text of a role that the user assigned."""
 
 ROLES = ("Unknown", "Board", "Input", "Output", "Both", "Passive", "Power", "Decoration")
 """The roles, as the hardware metamodel names them."""

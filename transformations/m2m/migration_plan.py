@@ -40,7 +40,7 @@ class UserLibraries(Struct, frozen=True):
         libraries: component (title or `#model_index`) -> library.
         limit: the least confidence at which a rule's choice is used.
         candidates: how many libraries a decision lists.
-        stored: (elementId, title) -> a person's choice in a stored plan; ranks after `libraries`.
+        stored: (elementId, title) -> the user's choice in a stored plan; ranks after `libraries`.
         places: component -> the place of its choice, for messages; without choices that are in no file.
     """
 

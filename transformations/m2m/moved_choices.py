@@ -45,7 +45,7 @@ class Carried(Struct, frozen=True):
 
     Attributes:
         choices: the choices of persons, in the names of the new drawing.
-        lost: name of a port or title of a component -> why a person's choice for it does not fit.
+        lost: name of a port or title of a component -> why the user's choice for it does not fit.
     """
 
     choices: StoredChoices
@@ -120,7 +120,7 @@ def _part_names(component: hardware.Component) -> set[str]:
 
 
 def _pin_of(binding: migration.PortBinding, parts: Mapping[str, hardware.Component], new: NewHardware) -> tuple[str, str]:
-    """What a port that a person has bound is bound to on the new board, or an empty text and why it fits nothing there."""
+    """What a port that the user has bound is bound to on the new board, or an empty text and why it fits nothing there."""
     if binding.choice == NOT_WIRED:
         return NOT_WIRED, ""
     if binding.connection is not None:
@@ -221,7 +221,7 @@ def _kind(decision: migration.Decision, carried: bool, lost: str, *, proposed: b
 
 
 def _values(binding: migration.PortBinding) -> tuple[str, ...]:
-    """The texts by which a person may have chosen what a port is bound to."""
+    """The texts by which the user may have chosen what a port is bound to."""
     pin = bound_pin(binding)
     return (str(binding.choice), *((str(pin.label),) if pin is not None else ()))
 
@@ -247,7 +247,7 @@ def pin_text(binding: migration.PortBinding) -> str:
 
 
 def update_move(plan: migration.MigrationPlan) -> None:
-    """Bring what a plan says about its move in line with its decisions, which a person may have changed since."""
+    """Bring what a plan says about its move in line with its decisions, which the user may have changed since."""
     if plan.move is None:
         return
     now: dict[str, tuple[migration.Decision, str]] = {str(b.name): (b, pin_text(b)) for b in plan.portBindings}

@@ -1,4 +1,4 @@
-"""Derives the tasks and findings of a plan from its decisions: what is left for a person, and what is worth knowing.
+"""Derives the tasks and findings of a plan from its decisions: what is left for the user, and what is worth knowing.
 
 A table of functions, each of which makes the tasks of one kind. Findings of the readers are added as they are. The severity of
 a task is that of the work, not of a fault: a task never makes a run fail.
@@ -91,7 +91,7 @@ def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:
 
 
 def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
-    """Make a plan that a person may have edited consistent: references decide, and recorded choices, texts and tasks follow
+    """Make a plan that the user may have edited consistent: references decide, and recorded choices, texts and tasks follow
     them.
 
     Args:
@@ -182,7 +182,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _declared(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> ccode.Function | None:
-    """Where the program declares a function whose body a person has to write there."""
+    """Where the program declares a function whose body the user has to write there."""
     units = plan.program.units if plan.program is not None and is_at_declaration(adapter) else ()
     own = (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and d.name == adapter.name)
     return next(own, None)
@@ -315,7 +315,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Tasks for text that is not valid C (or C++, if the target needs it): it is carried over for a person to mend."""
+    """Tasks for text that is not valid C (or C++, if the target needs it): it is carried over for the user to mend."""
     unlost = lost_pin_calls(plan)
     for finding in plan.findings:
         if finding.rule == "RS101":

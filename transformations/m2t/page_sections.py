@@ -170,7 +170,7 @@ def _on(connection: migration.Connection) -> str:
 
 
 def _part(connection: migration.Connection, plan: migration.MigrationPlan) -> str:
-    """A connection as a person names it: the part, its connector where it has several, and the pin."""
+    """A connection as the user names it: the part, its connector where it has several, and the pin."""
     pin = str(connection.pin.label) if connection.pin is not None else str(connection.name)
     component = connection.component
     if component is None:
@@ -269,7 +269,7 @@ _ON_PURPOSE = "accepted"
 
 
 def _all(rule: str, name: str, count: int) -> str:
-    """Which findings a person accepts together, where one entry of the project file stands for several, now or later."""
+    """Which findings the user accepts together, where one entry of the project file stands for several, now or later."""
     return f"all {count} of {rule}" if count > 1 else f"every {rule}" if name == "*" else ""
 
 

@@ -14,7 +14,7 @@ CARRIED_OVER = frozenset({"own-macro", "own-function", "own-declaration", "main-
 
 
 def decision_of(change: migration.TextChange) -> migration.Decision | None:
-    """The decision that a change belongs to, None for a person's own edit of the plan."""
+    """The decision that a change belongs to, None for the user's own edit of the plan."""
     owner = change.eContainer()
     return owner if isinstance(owner, migration.Decision) else None
 

@@ -293,7 +293,7 @@ class CircuitBuilder:
         return classify_drawn(named, placed.title, placed.properties, hint, self.project)
 
     def _numbered(self, placed: Placed, part: Part) -> Part:
-        """The part that a person's part number says: drawn with a general part, it may be something else."""
+        """The part that the user's part number says: drawn with a general part, it may be something else."""
         number = next(
             (text for key, text in placed.properties.items() if key.lower() in self.names.number_properties and text), ""
         )

@@ -1,4 +1,4 @@
-"""Headers and other connectors of a schematic: what a person plugs in, and what only leads pins of the board out.
+"""Headers and other connectors of a schematic: what the user plugs in, and what only leads pins of the board out.
 
 A symbol that is a header says nothing of the device on its other side. Its value or its reference may name one. Without such a
 name it is still the part at a pin, of a role that nobody knows, unless it

@@ -1,4 +1,4 @@
-"""`robosmi adapters list`, `show NAME` and `save OUT`: what fills calls of the source platform, and bodies of a person's own."""
+"""`robosmi adapters list`, `show NAME` and `save OUT`: what fills calls of the source platform, and bodies of the user's own."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ _UPLOAD = "uploading a compiled sketch"
 READ, COMPILE, UPLOAD, ORIGINALS, SIMULATE, MORE, PLUGINS = (
     "read and migrate", "compile", "upload", "run the original", "simulate", "more", "plug-ins"
 )  # fmt: skip
-"""What tools are needed for, in the order of a person's work."""
+"""What tools are needed for, in the order of the user's work."""
 
 
 class ToolStatus(Struct, frozen=True):
@@ -174,7 +174,7 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
 
 
 def lines_of(found: Sequence[ToolStatus]) -> Iterator[str]:
-    """The tools as a person reads them: by purpose, with what is missing in the headline of each."""
+    """The tools as the user reads them: by purpose, with what is missing in the headline of each."""
     width = max(len(tool.name) for tool in found)
     for purpose in dict.fromkeys(tool.purpose for tool in found):
         group = {(tool.name, tool.found): tool for tool in found if tool.purpose == purpose}  # some need the same programs

@@ -161,7 +161,7 @@ NONE = "none"
 
 
 def may_ask(*, yes: bool, as_json: bool) -> bool:
-    """Whether a person can be asked: input and output are a terminal, and neither --yes nor --json is given."""
+    """Whether the user can be asked: input and output are a terminal, and neither --yes nor --json is given."""
     return not yes and not as_json and sys.stdin.isatty() and sys.stdout.isatty()
 
 
@@ -261,7 +261,7 @@ def ask_pins(rows: Sequence[Mapping[str, str]], *, answer: Callable[[str], str] 
 
 
 class Answers:
-    """What a person answers in one run, to be kept where the person wishes.
+    """What the user answers in one run, to be kept where the person wishes.
 
     Args:
         answer: reads one line.

@@ -62,7 +62,7 @@ def run(arguments: _Arguments) -> Report:
 
 
 def _line(step: UndoStep) -> str:
-    """A step as a person reads it: its number, when it ran, its command or choice, and what it changed."""
+    """A step as the user reads it: its number, when it ran, its command or choice, and what it changed."""
     named = [*step.files[:_SHOWN], *[f"and {len(step.files) - _SHOWN} more"] * (len(step.files) > _SHOWN)]
     what = "undone; undo again to redo it" if step.number == 0 else f"--steps {step.number}"
     run = f"{step.run}: " if step.run else ""

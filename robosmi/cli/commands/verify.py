@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 MOST_S = 3600.0
-"""The most seconds that a person may ask for."""
+"""The most seconds that the user may ask for."""
 
 
 def configure(parser: Options) -> None:

@@ -148,7 +148,7 @@ class Facts:
         """The container of an element and the feature that contains it; none for a root of the model."""
         return self._containers[id(element)][:2]
 
-    # --- as a person reads it
+    # --- as the user reads it
 
     def position(self, element: EObject) -> str:
         """Where an element is: its container, the feature, and its index there."""
@@ -160,7 +160,7 @@ class Facts:
         return fragment_of(element, self.roots)
 
     def target(self, target: Any) -> str:
-        """The end of a reference as a person reads it."""
+        """The end of a reference as the user reads it."""
         return self.place_of(target) if id(target) in self.inside else self.outside(target)
 
     def end(self, target: Any, owner: Facts) -> int | str:

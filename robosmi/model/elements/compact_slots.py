@@ -378,6 +378,7 @@ def _literal_of(enum: EEnum) -> Callable[[str], EEnumLiteral | None]:
 
 _MANY = 50_000  # new objects: fewer are left to the collector as they are
 _aged = 0  # objects that became old at once since the last collection of them
+_none_frozen = True  # until frozen objects of somebody else are seen: Python counts them one by one
 
 
 @contextmanager
@@ -391,7 +392,7 @@ def collector_at_rest(makes_models: bool = False) -> Iterator[None]:
     Args:
         makes_models: whether the block makes models, in place of such as may be garbage by now.
     """
-    global _aged
+    global _aged, _none_frozen
     if not gc.isenabled():
         yield
         return
@@ -399,12 +400,15 @@ def collector_at_rest(makes_models: bool = False) -> Iterator[None]:
     if makes_models and _aged > 40 * _MANY:
         gc.collect()
         _aged = 0
+    before = gc.get_count()[0]
     try:
         yield
     finally:
-        made = gc.get_count()[0]
-        if made > _MANY and not gc.get_freeze_count():  # else somebody's frozen objects would thaw
-            _aged += made
-            gc.freeze()
-            gc.unfreeze()  # into the oldest generation
+        made = gc.get_count()[0] - before
+        if made > _MANY and _none_frozen:
+            _none_frozen = gc.get_freeze_count() == 0
+            if _none_frozen:  # else those of somebody else would thaw
+                _aged += made
+                gc.freeze()
+                gc.unfreeze()  # into the oldest generation
         gc.enable()

@@ -169,5 +169,5 @@ def kind_of(feature: EStructuralFeature) -> Any:
 
 
 def is_stored(feature: EStructuralFeature) -> bool:
-    """Whether the values of a feature are kept in the element, not computed by a class of a person's own."""
+    """Whether the values of a feature are kept in the element, not computed by a class of the user's own."""
     return feature.derived_class in (ECollection, FeatureCollection)

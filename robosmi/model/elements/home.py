@@ -34,7 +34,7 @@ class Home(ListenedTo):
     """The attributes that pyecore needs of a resource: listeners and roots.
 
     Args:
-        watch: is told of changes; None for a file that is no model yet.
+        watch: receives changes; None for a file that is no model yet.
         place: the file, None as long as there is none.
     """
 

@@ -58,7 +58,7 @@ _MOST_DIGITS = 4000
 
 
 class Notes(Struct):
-    """What a person should know about what was generated."""
+    """What the user should know about what was generated."""
 
     findings: list[Finding] = []
 

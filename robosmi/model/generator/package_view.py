@@ -85,7 +85,7 @@ def view_of(
         bases: Python's bases of each class (`linearise`).
         cycles: who waits for whom.
         mixins: what persons wrote beside generated packages.
-        notes: takes what a person should know.
+        notes: takes what the user should know.
     """
     scope = Scope(package, names)
     own_mixins = mixins.get("/".join(names.module(package)), {})

@@ -42,7 +42,7 @@ def parse_json(
         data: its bytes.
         plans: the plans of this load.
         package_of: finds a package by its namespace.
-        problem: is told line and text of every problem.
+        problem: receives line and text of every problem.
         foreign: as for `xmi_parser.parse`.
 
     Raises:

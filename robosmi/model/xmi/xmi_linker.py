@@ -34,7 +34,7 @@ from robosmi.model.xmi.xmi_locations import shown
 
 Problem = Callable[[Document, int, str], None]
 Missing: TypeAlias = "Callable[[Document, str, int, EObject, FeatureEntry, bool], DynamicEObject | None]"
-"""Document, URI, line, owner and feature of a reference, whether that was told already -> what stands for its target."""
+"""Document, URI, line, owner and feature of a reference, whether that was reported already -> what stands for its target."""
 Preserves: TypeAlias = "Callable[[Document, str, EObject, FeatureEntry, EObject], bool]"
 """Document, URI, owner and feature of a reference, what it leads to."""
 Where: TypeAlias = "Document | Package"
@@ -51,7 +51,7 @@ class XmiLinker:
 
     Args:
         open_file: finds the document or package that a URI's file part names.
-        problem: is told document, line and text of every problem.
+        problem: receives document, line and text of every problem.
         missing: gives what stands for a target that is not there; None if that is a problem.
         preserves: says of a target that was found in another file whether the text of the link is kept.
     """

@@ -72,7 +72,7 @@ class Builder:
         path: the file.
         plans: the plans of this load.
         package_of: finds a package by its namespace.
-        problem: is told line and text of every problem.
+        problem: receives line and text of every problem.
         foreign: as for `parse`.
     """
 
@@ -278,9 +278,9 @@ def parse(
         data: its bytes.
         plans: the plans of this load.
         package_of: finds a package by its namespace.
-        locations: is told the value of xsi:schemaLocation before any package is asked for.
-        problem: is told line and text of every problem.
-        foreign: is told line, text and namespace of what is of a namespace that no metamodel has, or is computed (no
+        locations: receives the value of xsi:schemaLocation before any package is asked for.
+        problem: receives line and text of every problem.
+        foreign: receives line, text and namespace of what is of a namespace that no metamodel has, or is computed (no
             namespace); a problem if None.
 
     Raises:

@@ -437,7 +437,7 @@ class _Reader:
                 self.problems.append((place, f"{name}: '{link}' leads to nothing"))
             return None
         kind = link.partition("#")[0] if "#" in link else ""
-        if not unread:  # why its file was not read is told already
+        if not unread:  # why its file was not read is reported already
             self.odd.add(
                 UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX if kind else _LOCAL_FIX
             )

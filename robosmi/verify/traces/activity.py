@@ -1,4 +1,4 @@
-"""What a program does at a pin as a person or a device perceives it: steady levels, waves, servo pulses, bursts.
+"""What a program does at a pin as the user or a device perceives it: steady levels, waves, servo pulses, bursts.
 
 A trace consists of edges and of waves made by timers; two programs that do the same on two machines never have the same edges.
 `activity` turns the edges of one pin into few events, in the same way for every machine, and `console_lines` does so for the

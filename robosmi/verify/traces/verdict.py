@@ -108,7 +108,7 @@ class SearchEnd(Struct, frozen=True):
     """How a search for scenarios ended.
 
     Attributes:
-        budget_s: its budget in seconds: of a typical machine, or by the clock if a person has set it.
+        budget_s: its budget in seconds: of a typical machine, or by the clock if the user has set it.
         tried: how many scenarios it tried.
         seconds: how long it took; 0 where it is a stored one.
         cut: whether the budget ended it though it had more to try.
@@ -363,7 +363,7 @@ class Verdict(Struct):
         return list(dict.fromkeys([*self.reasons, *(s.reason for s in self.scenarios if s.reason)]))
 
     def lines(self, verbose: bool = False) -> list[str]:
-        """The lines of the report for a person.
+        """The lines of the report for the user.
 
         Args:
             verbose: whether to tell all places of the source that were not reached, however many there are.

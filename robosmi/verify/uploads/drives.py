@@ -28,7 +28,7 @@ def find_drive(data: DataTable, board: Board, loader: BootLoader, named: Path | 
         data: what its drive looks like.
         board: the board.
         loader: its boot loader; `programmer` is what the drive says of the board.
-        named: the drive that a person names; None to search the places where drives are mounted.
+        named: the drive that the user names; None to search the places where drives are mounted.
 
     Raises:
         UploadError: there is none, there are several, or the named one is of another board or of none.
@@ -147,5 +147,5 @@ def uf2_bytes(data: bytes) -> int | None:
 
 
 def is_drive(port: str) -> bool:
-    """Whether what a person names as a port is a folder, and so a drive."""
+    """Whether what the user names as a port is a folder, and so a drive."""
     return Path(port).is_dir()

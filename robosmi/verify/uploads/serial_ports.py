@@ -65,7 +65,7 @@ def touch(port: str, baud: int) -> None:
 
 
 def comes_back(port: str, patterns: Iterable[str], leaves_s: float, returns_s: float) -> str | None:
-    """The port of a board that was told to start anew: the same one, or a new one in its place; None if it stays away.
+    """The port of a board that was asked to start anew: the same one, or a new one in its place; None if it stays away.
 
     Args:
         port: the port that it had.

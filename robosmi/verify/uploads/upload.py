@@ -45,7 +45,7 @@ class UploadReport(Struct, frozen=True):
         port: the port that it was sent to; a board that starts anew may have another one than was named.
         sent: whether it was sent.
         seconds: how long it took.
-        note: what a person has to know of this way of sending; empty for nothing.
+        note: what the user has to know of this way of sending; empty for nothing.
     """
 
     tool: str
@@ -286,7 +286,7 @@ def _sendable(
 
 
 def _harmless(sketch: Sketch) -> None:
-    """Make sure that no finding about the wiring says that the board may be damaged, but those that a person has accepted.
+    """Make sure that no finding about the wiring says that the board may be damaged, but those that the user has accepted.
 
     Raises:
         SourceError: one does.
@@ -302,7 +302,7 @@ def _harmless(sketch: Sketch) -> None:
 
 
 def _to_write(sketch: Sketch, toolchain: Toolchain) -> list[Location]:
-    """The places of bodies that a person still has to write."""
+    """The places of bodies that the user still has to write."""
     text = toolchain.sketch.text("unfinished", "")
     found = []
     for path in sorted(

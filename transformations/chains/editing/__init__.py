@@ -1,1 +1,1 @@
-"""What an editor shows while a person edits the files beside a program: findings, completions, choices to make."""
+"""What an editor shows while the user edits the files beside a program: findings, completions, choices to make."""

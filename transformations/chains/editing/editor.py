@@ -1,4 +1,4 @@
-"""Findings, completions and choices for the texts that a person edits: project files, pin tables, scenarios.
+"""Findings, completions and choices for the texts that the user edits: project files, pin tables, scenarios.
 
 The readers and checks are those of the commands: they read the texts as if these were saved. Nothing is written; an answer to a
 choice is the new text of the project file.

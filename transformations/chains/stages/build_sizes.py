@@ -28,14 +28,14 @@ def stored_build_sizes(output: Path, name: str, files: Mapping[str, bytes]) -> m
     try:
         record = record_at(output / FOLDER / f"{name}.build.json")
     except RobosmiError:
-        return None  # a damaged record says nothing; who compiles or uploads is told of it
+        return None  # a damaged record says nothing; `compile` and `upload` report it
     if record is None or not record.sizes or not _same(record.sources, name, files):
         return None
     return migration.Build(board=record.board, **{feature: record.sizes.get(key, 0) for feature, key in _SIZES.items()})
 
 
 def _same(compiled: Mapping[str, str], name: str, files: Mapping[str, bytes]) -> bool:
-    """Whether the compiled files equal the generated ones; a person's own additional files are ignored."""
+    """Whether the compiled files equal the generated ones; the user's own additional files are ignored."""
     made = {path.removeprefix(f"{name}/"): data for path, data in files.items() if path.startswith(f"{name}/")}
     there = {path: hashlib.sha256(data).hexdigest() for path, data in made.items() if not path.endswith(".md")}
     return all(compiled.get(path) == digest for path, digest in there.items())

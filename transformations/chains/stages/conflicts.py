@@ -1,7 +1,7 @@
 """Turns edits of the program that could not be merged into tasks for the plan, so that the report shows them.
 
 The merge marks a conflict in the file (`generate.merge_edits`). Here the marks are read back, including those of earlier runs,
-which remain until a person resolves them.
+which remain until the user resolves them.
 """
 
 from __future__ import annotations

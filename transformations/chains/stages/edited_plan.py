@@ -1,4 +1,4 @@
-"""Determines whether a person has edited only choices in the stored plan, which the next run adopts, or more.
+"""Determines whether the user has edited only choices in the stored plan, which the next run adopts, or more.
 
 The texts are compared, so that this also works for a plan that cannot be loaded. The choices are read by
 `m2m.choices.stored_choices`.
@@ -29,7 +29,7 @@ _LOOSE = "//text()[preceding-sibling::* or normalize-space(.) != string(.)]"
 
 
 def refuse_unseen(output: Path, plan: bytes, seen: str | None) -> None:
-    """Make sure that a stored plan is the one that a person has seen.
+    """Make sure that a stored plan is the one that the user has seen.
 
     Args:
         output: its output folder.

@@ -1,6 +1,6 @@
-"""Reads a person's choices from the plan that an output folder already contains, for the migration that makes it anew.
+"""Reads the user's choices from the plan that an output folder already contains, for the migration that makes it anew.
 
-They rank after the command line and the project file. A plan in which a person has edited more than choices is not adopted: the
+They rank after the command line and the project file. A plan in which the user has edited more than choices is not adopted: the
 run stops before it would overwrite the plan.
 """
 

@@ -51,7 +51,7 @@ class Moving(Struct):
         place: the output folder that has them, which is only read.
         carried: the choices that still fit.
         table: the proposed pin table, the path that it is to have and its bytes; None with a drawing.
-        approved: whether a person has approved it.
+        approved: whether the user has approved it.
         copied: whether the sources are the copies in the output folder, beside which nothing may be written.
     """
 
@@ -143,12 +143,12 @@ def moving(
         target: name of the new target.
         drawing: the drawing of the new hardware; None to propose a pin table.
         project: the project file; the one that `settings_of` finds if None.
-        ask: asks a person whether the proposed pins are right; None to ask nobody.
+        ask: asks the user whether the proposed pins are right; None to ask nobody.
 
     Raises:
         UsageError: no target is given, or the new folder is in or around the former one.
         SourceError: the folder's plan cannot be read, or the board has too few pins.
-        StoppedError: a person does not approve the pins.
+        StoppedError: the user does not approve the pins.
     """
     check_places(former, output)
     if target is None:

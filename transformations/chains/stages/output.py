@@ -54,7 +54,7 @@ class Generated(Struct):
         output: the output folder.
         contents: every file made, relative path -> bytes.
         written: whether they were written (not in a dry run).
-        new_choices: libraries that a person chose and that no earlier run into this folder has counted.
+        new_choices: libraries that the user chose and that no earlier run into this folder has counted.
         notes: findings of this run that are not the plan's.
         verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
         changes: relative path -> how the file changed, or would in a dry run; empty unless that was asked for.
@@ -85,7 +85,7 @@ class Generated(Struct):
 
     @property
     def open_choices(self) -> int:
-        """How many choices are left to a person."""
+        """How many choices are left to the user."""
         return len(open_choices(self.models.plan))
 
     @property
@@ -134,7 +134,7 @@ class Generated(Struct):
         return [{"path": str(self.output / name), "kind": _kind(name)} for name in self.contents]
 
     def lines(self) -> list[str]:
-        """What a person reads."""
+        """What the user reads."""
         compiles: bool | None = None
         if self.verification is not None:
             from robosmi.verify.traces.verdict import NOT_COMPILED  # only a run that verifies needs it
@@ -186,7 +186,7 @@ def produce(
         run: what `undo --list` calls the run.
 
     Raises:
-        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        StoppedError: a choice is open under `strict`, or the user's edit would be lost.
         ModelError: the models are not closed.
         SourceError: the folder cannot be written.
     """

@@ -1,4 +1,4 @@
-"""Provides the adapter files of a migration, and checks that a person's own adapters compile.
+"""Provides the adapter files of a migration, and checks that the user's own adapters compile.
 
 Built-in adapters were compiled when they were written. An own one is compiled separately with the pieces it needs, if the
 target's toolchain is installed; otherwise errors appear at `compile`.
@@ -62,7 +62,7 @@ def adapter_files_of(settings: Project, target: TargetFacts, api: ApiIndex) -> A
 
 
 def still_unknown(findings: Iterable[Finding], index: AdapterIndex | None) -> list[Finding]:
-    """The findings about a program, without those about unknown headers and functions for which a person keeps adapters.
+    """The findings about a program, without those about unknown headers and functions for which the user keeps adapters.
 
     Args:
         findings: of the program, with what they are about as their evidence.
@@ -273,7 +273,7 @@ def first_fault(
 def fault_of_saved(
     files: Mapping[Path, str], saved: Collection[tuple[str, str]], folder: Path, plan: migration.MigrationPlan
 ) -> tuple[str, str, str] | None:
-    """Compile a person's adapter bodies before they are saved for later programs.
+    """Compile the user's adapter bodies before they are saved for later programs.
 
     Args:
         files: the adapter files as they would be written.

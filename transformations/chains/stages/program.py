@@ -364,11 +364,11 @@ _NAME_FOLDER = "give its folder with -I if it belongs to the program, else remov
 def from_outside(
     paths: Iterable[Path], folders: Iterable[Path], fix: str = _NAME_FOLDER, severity: Severity = Severity.warning
 ) -> list[Finding]:
-    """Says of each file of a program that lies outside of its folders that it is taken over: a person may not know of it.
+    """Says of each file of a program that lies outside of its folders that it is taken over: the user may not know of it.
 
     Args:
         paths: the headers that the program reaches, the drawing that its project file names, its adapter files.
-        folders: those of its sources and project file, and those that a person names for headers.
+        folders: those of its sources and project file, and those that the user names for headers.
         fix: what to do about such a file.
         severity: of the findings.
     """

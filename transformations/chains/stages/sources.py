@@ -35,7 +35,7 @@ def remember_sources(
         plan: the plan.
         places: stored path -> path as given.
         files: those that were given; the project file lies beside the first one, or in it if that is a folder.
-        arguments: what else `migrate` was told; paths become absolute.
+        arguments: the other arguments of `migrate`; paths become absolute.
 
     Raises:
         SourceError: there is no place for it.
@@ -74,7 +74,7 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
     Args:
         output: the output folder.
         plan: its plan.
-        source: a source of the program that a person names; None for where the last migration read them.
+        source: a source of the program that the user names; None for where the last migration read them.
 
     Raises:
         UsageError: the named file is none of the plan's sources, or was changed.

@@ -1,4 +1,4 @@
-"""A person's work in a previously generated program, taken over by the run that generates it anew.
+"""The user's work in a previously generated program, taken over by the run that generates it anew.
 
 A body written into a placeholder counts as filled, a ticked task as done. Text written for a function that is no longer called
 stays in its file, disabled and with a comment, so that neither it nor a tick causes a merge conflict.
@@ -33,7 +33,7 @@ _AWAY = "#if 0  // what you wrote for '{}', which nothing calls any more"
 
 
 class UserEdits:
-    """A person's work in an output folder.
+    """The user's work in an output folder.
 
     Attributes:
         names: the functions whose bodies they have written.
@@ -99,7 +99,7 @@ def _without(text: str, body: Body) -> str:
 
 
 def find_user_edits(plan: migration.MigrationPlan, places: Places, made: Mapping[str, str], record: Record) -> UserEdits:
-    """Find what a person has done in an output folder.
+    """Find what the user has done in an output folder.
 
     Args:
         plan: the plan, which stays as it is.
@@ -123,7 +123,7 @@ def find_user_edits(plan: migration.MigrationPlan, places: Places, made: Mapping
 
 
 def _given(symbol: migration.SymbolUse, there: str, made: str) -> bool:
-    """Whether a person has replaced a generated placeholder by a definition of the same name."""
+    """Whether the user has replaced a generated placeholder by a definition of the same name."""
     if symbol.status is not migration.AdapterStatus.todo:
         return False
     shown = str(symbol.placeholder).rpartition("\n")[2]

@@ -1,6 +1,6 @@
-"""Finds what a person's code includes: libraries of its own, and headers that the generated program no longer needs.
+"""Finds what the user's code includes: libraries of its own, and headers that the generated program no longer needs.
 
-A library disappears from the program with its component. If a person's body that uses it stays, its header has to stay, too.
+A library disappears from the program with its component. If the user's body that uses it stays, its header has to stay, too.
 Only texts are examined, with the library index's knowledge of headers.
 """
 
@@ -50,12 +50,12 @@ def needed_still(texts: Mapping[str, tuple[str, str, str]], platform: str) -> di
 
 
 def own_includes(texts: Mapping[str, tuple[str, str, str]]) -> list[str]:
-    """The headers that a person has included, in order; `texts` as for `needed_still`."""
+    """The headers that the user has included, in order; `texts` as for `needed_still`."""
     return list(dict.fromkeys(h for last, there, _ in texts.values() for h in _included(there) if h not in _included(last)))
 
 
 def set_own_libraries(plan: migration.MigrationPlan, headers: Collection[str]) -> bool:
-    """Set the libraries whose headers a person's code needs, so that the project files list them; whether that changes the plan.
+    """Set the libraries whose headers the user's code needs, so that the project files list them; whether that changes the plan.
 
     One that is not in the registry, such as those that come with a core, is not installed by its name.
     """
@@ -96,7 +96,7 @@ def library_of(plan: migration.MigrationPlan, name: str) -> Any:
 
 
 def without_includes(text: str, headers: Mapping[str, list[str]], made: str) -> tuple[str, list[str]]:
-    """A text without the lines that include some headers, so that the same lines of a person's text count as written by them.
+    """A text without the lines that include some headers, so that the same lines of the user's text count as written by them.
 
     Args:
         text: the text that was made last.

@@ -125,7 +125,7 @@ def _key(choice: migration.LibraryChoice) -> str:
 
 
 def shown_changes(places: Places, writing: Writing, word: str) -> dict[str, str]:
-    """The changes to each file that a person reads, as a unified diff; models are only listed, with the given word."""
+    """The changes to each file that the user reads, as a unified diff; models are only listed, with the given word."""
     from difflib import unified_diff  # few runs show changes
 
     changes: dict[str, str] = {}
@@ -177,7 +177,7 @@ def _told(output: Path, guarded: Guarded) -> list[Finding]:
 def _with_comments(
     output: Path, inputs: Mapping[str, bytes | None], contents: Mapping[str, bytes], findings: list[Finding]
 ) -> dict[str, bytes]:
-    """Copies of models with a person's comments that are about to be overwritten, under the names of the copies."""
+    """Copies of models with the user's comments that are about to be overwritten, under the names of the copies."""
     old: dict[str, bytes] = {}
     for name, data in inputs.items():
         if data is None or name not in contents:

@@ -2,7 +2,7 @@
 
 A piece begins with a line `//# KIND NAME` and goes on with lines `//#   KEY: VALUE`; behind them stands its text, up to the
 next piece. Kinds and keys are described in docs/reference/adapter-files.md. Here they are read and checked one by one; whether
-what they declare is what the text uses, and which of them a program needs, is told elsewhere (`queries.plans.adapter_needs`, the
+what they declare is what the text uses, and which of them a program needs, is found elsewhere (`queries.plans.adapter_needs`, the
 tests).
 """
 
@@ -31,7 +31,7 @@ MARK = "//#"
 NOT_SERVED = "unsupported"
 """A line `//# unsupported REASON` after the header's line: the target cannot support this header."""
 TASK = "task"
-"""A line `//# task NAME REASON` after the header's line: no adapter is possible for the function; a person has to replace it."""
+"""A line `//# task NAME REASON` after the header's line: no adapter is possible for the function; the user has to replace it."""
 KINDS = ("adapter", "constant", "register", "variable", "type", "helper")
 """The kinds of pieces: for a function, constant, register, variable or type of the source, or a helper used only by adapters."""
 RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")

@@ -2,7 +2,7 @@
 
 They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
 (`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each, or for
-all others. Files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
+all others. Files of a project, of the user and of plug-ins precede the built-in ones, piece by piece.
 `queries.plans.adapter_needs` determines which pieces a program needs.
 """
 
@@ -86,11 +86,11 @@ class AdapterIndex:
                 self.files(header)
 
     def own_headers(self) -> list[str]:
-        """The headers for which a person keeps adapter files."""
+        """The headers for which the user keeps adapter files."""
         return list(dict.fromkeys(header for folder in self.folders if folder in self.own for header, _ in self._listed(folder)))
 
     def own_adapter(self, function: str) -> AdapterPiece | None:
-        """The adapter that a person keeps for a function, of whatever header; None if there is none.
+        """The adapter that the user keeps for a function, of whatever header; None if there is none.
 
         Raises:
             PlatformDataError: as for `files`.

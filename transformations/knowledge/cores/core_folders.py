@@ -174,7 +174,7 @@ def find_core(name: BoardName) -> ArduinoCore:
 
 
 def how_to_install(name: BoardName) -> str:
-    """What a person does who has not the core of a board."""
+    """What the user does who has not the core of a board."""
     return f"install it: arduino-cli core install {name.vendor}:{name.architecture}, or let {ENV} name its folder"
 
 
@@ -202,7 +202,7 @@ def is_core(folder: Path) -> bool:
 
 
 def _named(folder: Path, architecture: str) -> ArduinoCore | None:
-    """The core in a folder that a person named, or None if it is one of another architecture."""
+    """The core in a folder that the user named, or None if it is one of another architecture."""
     if not is_core(folder) or architecture not in architectures(folder):
         return None
     vendor, _, packages = _layout(folder) or ("", architecture, None)

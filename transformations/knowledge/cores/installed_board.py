@@ -19,7 +19,7 @@ def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoar
     """The board of a core; the registry's query of that name.
 
     Args:
-        names: full names of one board, as a person, a project file or the board's data has them. The first whose core is
+        names: full names of one board, as the user, a project file or the board's data has them. The first whose core is
             installed counts, else the first whose core has a stand-in.
         toolchain: the toolchain of the sketch; its `[core]` says whether installed cores serve it (`installed_boards`).
 

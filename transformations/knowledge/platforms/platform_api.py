@@ -124,7 +124,7 @@ class ApiIndex:
         return self.board.labels.get(number, f"D{number}") if self.board is not None else f"{self._port_prefix}{number}"
 
     def port_number(self, name: str) -> int | None:
-        """The number of a port that a person names by it; None for another name."""
+        """The number of a port that the user names by it; None for another name."""
         if self.board is not None:
             return self.board.names.get(name)
         digits = name.removeprefix(self._port_prefix)

@@ -281,7 +281,7 @@ def _one_width(types: Iterable[str]) -> list[str]:
 
 
 def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> None:
-    """Bring the status of a use in line with its adapter, which a person may have removed, added or written in a stored plan.
+    """Bring the status of a use in line with its adapter, which the user may have removed, added or written in a stored plan.
 
     Args:
         use: the use of a function.

@@ -142,7 +142,7 @@ def choose_libraries(
         history: earlier choices.
         limit: how many candidates a decision keeps.
         sure: the confidence from which on the ranking's own answer is taken.
-        stored: (elementId, title) -> what a person chose in a stored plan, behind `chosen`; what no longer fits is passed over.
+        stored: (elementId, title) -> what the user chose in a stored plan, behind `chosen`; what no longer fits is passed over.
         places: component, as `chosen` has it -> where that is said, for messages.
 
     Raises:
@@ -191,7 +191,7 @@ def _decide(
 ) -> migration.LibraryChoice:
     query = component_query(component)
     refused = said is not None and said.lower() == NO_LIBRARY
-    # A person's choice ignores the history, so that a run after it was recorded makes the same plan again.
+    # The user's choice ignores the history, so that a run after it was recorded makes the same plan again.
     recommendation = rank(query, not said)
     by, why = migration.ChosenBy.nobody, ""
     name = said

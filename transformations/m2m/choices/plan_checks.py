@@ -1,4 +1,4 @@
-"""The checks for a person at the bench before the robot runs on its own: one for each component that the program uses.
+"""The checks for the user at the bench before the robot runs on its own: one for each component that the program uses.
 
 A check names the component with its connectors and pins, the ports bound there, and the functions by which the program drives
 or reads them. Without a drawing, each pin that a port is bound to takes the component's place.
@@ -32,7 +32,7 @@ _SEEN = {
     hardware.Role.Input: ("check that {} the real value", platform.Direction.input),
     hardware.Role.Output: ("check that it responds to {}", platform.Direction.output),
 }
-"""For each role of a component, what a person should observe, and the direction of the functions that show it."""
+"""For each role of a component, what the user should observe, and the direction of the functions that show it."""
 
 
 def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
@@ -132,7 +132,7 @@ def _check(
 
 
 def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding]) -> str:
-    """The instruction what a person should observe at the given ports."""
+    """The instruction what the user should observe at the given ports."""
     calls = [call for port in ports for call in port_calls(plan, port)]
     component = ports[0].connection.component if ports[0].connection is not None else None
     role = component.role if component is not None else None

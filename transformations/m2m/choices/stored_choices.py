@@ -1,4 +1,4 @@
-"""Takes over a person's choices from a stored plan into the plan made anew, and decides which of several choices counts.
+"""Takes over the user's choices from a stored plan into the plan made anew, and decides which of several choices counts.
 
 The order is: flag, project file, stored plan, history, rule. A stored choice for something that no longer exists is dropped
 with a finding; differences between flag, project file and stored plan are reported as well. `chains.stages.import_choices`
@@ -20,7 +20,7 @@ DIFFERENT, GONE = "RS413", "RS414"
 
 
 class UserChoice(Struct, frozen=True):
-    """A person's choice: the value, the reason, and the time (as `Decision.chosenAt`)."""
+    """The user's choice: the value, the reason, and the time (as `Decision.chosenAt`)."""
 
     value: str
     why: tuple[str, ...] = ()
@@ -28,7 +28,7 @@ class UserChoice(Struct, frozen=True):
 
 
 class StoredChoices(Struct, frozen=True):
-    """A person's choices in a stored plan.
+    """The user's choices in a stored plan.
 
     Attributes:
         ports: name of a port -> pin or connection, or `none`.
@@ -69,7 +69,7 @@ def _said(decision: migration.Decision) -> UserChoice:
 
 
 def explain(decision: migration.Decision, said: UserChoice | None) -> None:
-    """Copy reason and time of a person's decision from the stored plan, if it chose the same."""
+    """Copy reason and time of the user's decision from the stored plan, if it chose the same."""
     if said is not None and said.value == decision.choice and decision.chosenBy is migration.ChosenBy.person:
         decision.chosenAt = said.at
         if said.why or said.at:  # one that is made without a reason has none

@@ -1,6 +1,6 @@
 """Sets on the plan's connections the levels that outputs have before the program sets them, and the measured values of servos.
 
-The inactive level of a device is data of its kind; what a person has measured is in robosmi.toml. The target's text is
+The inactive level of a device is data of its kind; what the user has measured is in robosmi.toml. The target's text is
 generated elsewhere (`m2t`).
 """
 

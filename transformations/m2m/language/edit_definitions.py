@@ -83,7 +83,7 @@ _ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\)
 
 
 def body(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
-    """Turn a prototype into an adapter: its semicolon is replaced by a body for a person to complete.
+    """Turn a prototype into an adapter: its semicolon is replaced by a body for the user to complete.
 
     If the prototype shares its declaration with other names, the function is defined after it, with the given signature.
     """

@@ -77,7 +77,7 @@ class Dependence:
         source: the part of the source platform that is used.
         divisions: how main is divided.
         concurrency: how code runs that the program starts on other cores; None if it starts none.
-        findings: about a person's own adapters.
+        findings: about the user's own adapters.
     """
 
     def __init__(self) -> None:

@@ -1,7 +1,7 @@
 """Applies the rules to texts when planning: each change of the carried-over text belongs to the decision that needs it.
 
 What a rule does to the text is a table (`edit_rules`); what moves out of main is in `hoisting`. A generator applies the changes
-in the plan and derives none. When a person changes a port's binding in a stored plan, its change is made anew
+in the plan and derives none. When the user changes a port's binding in a stored plan, its change is made anew
 (`settle_bindings`), and so is the disposition of the element that contains it.
 """
 
@@ -63,7 +63,7 @@ def _change(text: SourceText, place: Replacement, rule: str, reason: str) -> mig
 
 
 def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
-    """Make the text changes of ports anew whose text differs from the bound pin, as in a plan edited by a person.
+    """Make the text changes of ports anew whose text differs from the bound pin, as in a plan edited by the user.
 
     Raises:
         ModelError: one port has two bindings, or a change of a port is in no source unit.

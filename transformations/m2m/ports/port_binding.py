@@ -94,7 +94,7 @@ def bind_ports(
         said: as persons said; later ones count before earlier ones.
         limit: a rule's choice is taken when its confidence is at least this.
         split: functions that can serve a component with a wire for each direction.
-        stored: port -> what a person chose in a stored plan, before `said`; what no longer fits is passed over.
+        stored: port -> what the user chose in a stored plan, before `said`; what no longer fits is passed over.
         usb_console: whether the target's console takes no pins.
 
     Raises:
@@ -288,7 +288,7 @@ def _take(
     board: platform.Board,
     usb_console: bool,
 ) -> None:
-    """Bind a port as a person chose."""
+    """Bind a port as the user chose."""
     if said == NOT_WIRED or (said == CONSOLE and usb_console):
         binding.choice = said
     else:
@@ -301,7 +301,7 @@ def _take(
 def bind_as_chosen(
     binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board
 ) -> None:
-    """Set the reference of a stored binding to what a person chose; an empty text leaves the port unbound.
+    """Set the reference of a stored binding to what the user chose; an empty text leaves the port unbound.
 
     Args:
         binding: the binding.
@@ -321,7 +321,7 @@ def bind_as_chosen(
 def _chosen(
     said: str, connections: Sequence[migration.Connection], board: platform.Board
 ) -> tuple[migration.Connection | None, platform.Pin | None]:
-    """The connection that a person's choice names, or the pin if no connection is there."""
+    """The connection that the user's choice names, or the pin if no connection is there."""
     named = [c for c in connections if c.name == said] or [c for c in connections if former_name(c) == said]
     on_pin = [c for c in connections if c.pin is not None and said in (c.pin.label, *c.pin.aliases)]
     if named or on_pin:

@@ -1,4 +1,4 @@
-"""Arguments mean on the target what they mean on their own board: values that are told by their type or by a bare number.
+"""Arguments mean on the target what they mean on their own board: values that are recognised by their type, or bare numbers.
 
 `write(0)` may be a byte or a text, `EEPROM.put(2, 500)` stores as many bytes as the value has, `println(round(x))` prints two
 decimals where `round` is no macro, and the number of an interrupt's mode is another one on other cores.

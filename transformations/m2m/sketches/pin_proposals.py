@@ -1,7 +1,7 @@
 """Proposes a pin of the other board for each port of a program whose platform stays, where no drawing and no person says one.
 
 On a board of the same processor a pin of the same label and abilities is that pin: shields and wires fit, and nothing is asked.
-On any other board the pin is a proposal: by its abilities, the one that the text means already if it is free. A person has to
+On any other board the pin is a proposal: by its abilities, the one that the text means already if it is free. The user has to
 approve it, since nobody has drawn the new wires.
 """
 
@@ -55,7 +55,7 @@ def bind_same_pins(
 
     Args:
         ports: the program's ports.
-        bindings: the decision for each port, in the same order; those of ports that only a person has named follow.
+        bindings: the decision for each port, in the same order; those of ports that only the user has named follow.
         new: the board.
         connections: what is drawn on it.
     """
@@ -74,7 +74,7 @@ def propose_pins(ports: Sequence[Port], bindings: Sequence[migration.PortBinding
 
     Args:
         ports: the program's ports.
-        bindings: the decision for each port, in the same order; those of ports that only a person has named follow.
+        bindings: the decision for each port, in the same order; those of ports that only the user has named follow.
         new: the board.
     """
     taken = {str(b.pin.label) for b in bindings if b.pin is not None}

@@ -242,7 +242,7 @@ def _macro_lines(plan: migration.MigrationPlan) -> dict[str, set[tuple[str, int]
 OF_NAMES = "avr_libc_call"
 """The kind of places that are names of avr-libc; some take a register."""
 BY_CALL = "attach_interrupt_number"
-"""The kind of places that are told by their call: a flow of pins cures them."""
+"""The kind of places that their call gives away: a flow of pins cures them."""
 OF_PORT = "interrupt_of_port"
 """The kind of places that are right as long as their port keeps its pin."""
 _INTERRUPTS = frozenset(["attachInterrupt", "detachInterrupt"])

@@ -29,7 +29,7 @@ def boards(circuit: hardware.Circuit) -> Q[hardware.Component]:
 
 
 def the_board(circuit: hardware.Circuit) -> hardware.Component:
-    """The board of a circuit that programs are moved to: the only one, or of several the one that a person gave that role.
+    """The board of a circuit that programs are moved to: the only one, or of several the one that the user gave that role.
 
     Raises:
         SourceError: there is none, or more than one.

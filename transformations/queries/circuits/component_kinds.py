@@ -66,7 +66,7 @@ def kinds_of(connection: migration.Connection) -> set[str]:
 
 
 def kinds_of_part(connection: migration.Connection) -> set[str]:
-    """The kinds that a component's part names, whatever a person calls it; all its kinds if the part names none.
+    """The kinds that a component's part names, whatever the user calls it; all its kinds if the part names none.
 
     A "Standard servo" with the title "ping turret servo" is a servo.
     """

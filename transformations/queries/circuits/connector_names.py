@@ -69,7 +69,7 @@ def displayed_names(connectors: Iterable[hardware.Connector]) -> list[str]:
 
 
 def wire_name(connectors: Iterable[hardware.Connector]) -> str:
-    """What a person calls the wire to these connectors of a component: their names, or `a wire` where they have none."""
+    """What the user calls the wire to these connectors of a component: their names, or `a wire` where they have none."""
     return " and ".join(filter(None, dict.fromkeys(displayed_names(connectors)))) or "a wire"
 
 

@@ -1,7 +1,7 @@
 """Value ranges of a program's expressions, as far as the text bounds them: constants, counters, remainders, masks.
 
 A range bounds the values that the program itself gives (`given`), or only those that a type can hold. Values that come from
-outside (a sensor, a person, an unknown function) have no range. `numbers` tells what machines make of them.
+outside (a sensor, the user, an unknown function) have no range. `numbers` tells what machines make of them.
 """
 
 from __future__ import annotations

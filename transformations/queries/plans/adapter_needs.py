@@ -83,7 +83,7 @@ class AdapterPieces:
         """The (header, name) of the piece that a name denotes when used in that header; None if there is no such piece."""
         if "/" in name:
             header, _, name = name.rpartition("/")
-            # files of a person may name a piece of the hardware layer by the header that it once stood in
+            # files of the user may name a piece of the hardware layer by the header that it once stood in
             return next(((place, name) for place in (header, HAL) if name in self._of(place)), None)
         if header and name in self._of(header):
             return header, name

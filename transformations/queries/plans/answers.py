@@ -1,4 +1,4 @@
-"""How a person answers an open choice: what to type at the command line, and what to write into the project file."""
+"""How the user answers an open choice: what to type at the command line, and what to write into the project file."""
 
 from __future__ import annotations
 

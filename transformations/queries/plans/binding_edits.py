@@ -1,4 +1,4 @@
-"""What a person edited in the binding of a port in a stored plan: what it refers to, or only the recorded choice.
+"""What the user edited in the binding of a port in a stored plan: what it refers to, or only the recorded choice.
 
 A plan keeps what the binding referred to when it was made: in the texts of its changes, else in its trace.
 """
@@ -26,7 +26,7 @@ def referred(binding: migration.PortBinding) -> str:
 
 
 def only_the_choice_was_edited(binding: migration.PortBinding) -> bool:
-    """Whether a person changed only the recorded choice: it contradicts the connection or pin that the binding refers to, and
+    """Whether the user changed only the recorded choice: it contradicts the connection or pin that the binding refers to, and
     that reference is unchanged since the plan was made.
     """
     pin = binding.connection.pin if binding.connection is not None else None

@@ -67,7 +67,7 @@ def _names(choice: Choice) -> tuple[str, ...]:
 
 
 class Option(NamedTuple):
-    """An answer that a person may give: what to choose, how much speaks for it (0 to 1), and why."""
+    """An answer that the user may give: what to choose, how much speaks for it (0 to 1), and why."""
 
     value: str
     score: float
@@ -75,7 +75,7 @@ class Option(NamedTuple):
 
 
 class AvailableChoice(NamedTuple):
-    """A choice as a person sees it.
+    """A choice as the user sees it.
 
     Attributes:
         id: what commands call it.
@@ -103,7 +103,7 @@ class AvailableChoice(NamedTuple):
 
 
 def available_choices(plan: migration.MigrationPlan) -> list[AvailableChoice]:
-    """Every choice that a person may make: ports, then libraries, then roles of components whose role is unclear."""
+    """Every choice that the user may make: ports, then libraries, then roles of components whose role is unclear."""
     made = [
         AvailableChoice(
             id=choice.id,
@@ -126,7 +126,7 @@ def reason(decision: migration.Decision) -> str:
 
 
 def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
-    """Every choice that a person may make in the contract's form."""
+    """Every choice that the user may make in the contract's form."""
     return [choice.to_json() for choice in available_choices(plan)]
 
 
@@ -138,7 +138,7 @@ def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component
 
 
 def _role(component: hardware.Component) -> AvailableChoice:
-    """The choice of a component's role: until a person says it, the component is taken for something that is read."""
+    """The choice of a component's role: until the user says it, the component is taken for something that is read."""
     given = component.roleEvidence == GIVEN
     return AvailableChoice(
         id=f"role:{component.elementId}",

@@ -110,7 +110,7 @@ def is_at_declaration(adapter: migration.AdapterUse) -> bool:
 
 
 def decisions(plan: migration.MigrationPlan) -> Q[migration.Decision]:
-    """The decisions a person may be asked for: port bindings and library choices."""
+    """The decisions the user may be asked for: port bindings and library choices."""
     return Q([*plan.portBindings, *plan.libraryChoices])
 
 

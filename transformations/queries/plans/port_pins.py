@@ -11,7 +11,7 @@ from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
 
 NOT_WIRED = "none"
-"""The recorded choice of a port that a person declared not to be wired."""
+"""The recorded choice of a port that the user declared not to be wired."""
 CONSOLE = "console"
 """The recorded choice of a port that is the console, where that is USB and takes no pins."""
 WITHOUT_PIN = (NOT_WIRED, CONSOLE)

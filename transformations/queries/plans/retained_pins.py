@@ -23,7 +23,7 @@ AS_WRITTEN = "port-as-written"
 OF_INTERRUPT = "interrupt-of-port"
 """The rule of the number of an interrupt that is replaced by the interrupt of a pin."""
 PROPOSED = 0.5
-"""The confidence of a pin that is proposed and that a person has to approve."""
+"""The confidence of a pin that is proposed and that the user has to approve."""
 UNWIRED = "unwired_pin"
 """The kind of places that give the number of a port without a pin to a core that does not check it."""
 _ENUMERATOR = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:=|\Z)")

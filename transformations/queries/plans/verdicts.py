@@ -25,7 +25,7 @@ from robosmi.transformations.queries.text_changes import CARRIED_OVER
 
 RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED = "retained", "adapted", "adapted_with_care", "needs_you", "not_supported"
 VERDICTS = (RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED)
-"""All verdicts, from the one that asks nothing of a person to the one that no change of the text can mend."""
+"""All verdicts, from the one that asks nothing of the user to the one that no change of the text can mend."""
 EFFORTS = ("small", "medium", "large")
 """Effort levels: up to half an hour; up to half a day; more than that, or another device or board."""
 
@@ -174,7 +174,7 @@ class _Judge:
                 yield (str(unit.path), int(element.line), int(element.startOffset)), ReasonedVerdict(NEEDS_YOU, reason, "small")
 
     def judged(self, disposition: migration.Disposition) -> ReasonedVerdict:
-        """The verdict on the element of a disposition: the one of all that apply which asks most of a person."""
+        """The verdict on the element of a disposition: the one of all that apply which asks most of the user."""
         first = self._elsewhere(disposition) if id(disposition.element) in self.externals else self._own(disposition)
         marks = self.marks.get(id(disposition.element), [])
         worst = max([first, *marks], key=lambda judged: VERDICTS.index(judged.verdict))

@@ -20,7 +20,7 @@ WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT = (
 )  # fmt: skip
 CALL_STATES = (WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT)
 """The states of calls: with a body; with one that has limits; with one whose port has no pin yet, or is none of the source at
-all; with one that is not wired by a person's word; without a body; of what the target lacks."""
+all; with one that is not wired by the user's word; without a body; of what the target lacks."""
 NO_PORT = "RS326"
 """The rule of numbers that are no port of the source; calls with such a number do nothing."""
 
@@ -47,7 +47,7 @@ def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> t
 
 
 def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
-    """Whether a person has bound ports that only the running program knows, so that RS327 asks nothing."""
+    """Whether the user has bound ports that only the running program knows, so that RS327 asks nothing."""
     return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 
@@ -100,5 +100,5 @@ class CallStates:
 
 
 def _left_out(binding: migration.PortBinding) -> bool:
-    """Whether a person said that a port is not wired."""
+    """Whether the user said that a port is not wired."""
     return not binding.open and binding.choice == NOT_WIRED and binding.chosenBy is migration.ChosenBy.person

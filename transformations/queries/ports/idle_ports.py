@@ -1,4 +1,4 @@
-"""Ports that the source uses by convention, that a person bound, and that no adapter uses, such as encoders of a drive."""
+"""Ports that the source uses by convention, that the user bound, and that no adapter uses, such as encoders of a drive."""
 
 from __future__ import annotations
 

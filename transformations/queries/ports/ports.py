@@ -89,8 +89,8 @@ class ProgramPorts(Struct):
     Attributes:
         ports: in the order of their first use.
         flows: those that send a port somewhere.
-        anything: whether any port may be reached, so that a person may bind any number.
-        unasked: conventional ports of the source that nothing uses on the target; a person may bind them all the same.
+        anything: whether any port may be reached, so that the user may bind any number.
+        unasked: conventional ports of the source that nothing uses on the target; the user may bind them all the same.
         shared: names that declarations of several ports have, each with the ports' numbers; they name no port.
     """
 

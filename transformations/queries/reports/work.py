@@ -1,4 +1,4 @@
-"""The work that a plan leaves to a person, in the order in which it is done: decide, write, check on the bench; and what works.
+"""The work that a plan leaves to the user, in the order in which it is done: decide, write, check on the bench; and what works.
 
 The numbers of the report, of the terminal and of `--json` are those of this module. They add up, and tests hold them against the
 plan.
@@ -43,7 +43,7 @@ class Group(Struct, frozen=True):
 
 
 class Work:
-    """The work that a plan leaves to a person.
+    """The work that a plan leaves to the user.
 
     Args:
         plan: the plan, complete.
@@ -86,7 +86,7 @@ class Work:
         return [*self.plan.checks, *(task for task in self.plan.tasks if task.rule == UNUSED)]
 
     def choices(self) -> tuple[Q[migration.Decision], Q[migration.Decision]]:
-        """All choices of a person, and those of them that are open."""
+        """All choices of the user, and those of them that are open."""
         found = decisions(self.plan)
         return found, found.select(lambda d: d.open)
 

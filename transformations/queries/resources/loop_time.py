@@ -2,7 +2,7 @@
 
 Only waiting functions count, with the time that their arguments ask for or the longest they may take; computing, sending and
 printing do not count. A call through a pointer takes the time of any function that it may reach. A wait that ends by something
-outside (a person, a sensor, a wheel), or a call through an unknown pointer, has no upper bound and is reported by name.
+outside (the user, a sensor, a wheel), or a call through an unknown pointer, has no upper bound and is reported by name.
 """
 
 from __future__ import annotations

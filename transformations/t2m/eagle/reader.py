@@ -130,7 +130,7 @@ class _Drawn:
             cause = f"a net has a pin of '{pin.part}', but no part has this name{did_you_mean(pin.part, self.parts)}{left_out}"
             self.report("RS207", Severity.warning, cause, pin.line, "correct the net, or add the part")
             return None
-        if part.found is None:  # what its gates are is told by its wired pins alone
+        if part.found is None:  # its wired pins alone show what its gates are
             return End(pin.part, self.wired[pin.part][pin.gate, pin.pin])
         found = part.found.pins.get((pin.gate, pin.pin))
         if found is None:

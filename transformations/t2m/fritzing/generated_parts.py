@@ -13,7 +13,7 @@ def generated_part(part_id: str, known: PartNames | None = None) -> Part | None:
     """The part that a generated id stands for (pin headers, generic ICs, stripboards), or None.
 
     The number of connectors is the first whole number between underscores (Fritzing's `TextUtils::getPinsAndSpacing`);
-    boards of holes have none of their own, those that a drawing uses are told by the drawing.
+    boards of holes have none of their own, the drawing has those that it uses.
     """
     for shape in (known or names()).generated:
         if shape.tool not in ("", TOOL):

@@ -163,7 +163,7 @@ _ESCAPED = {
 
 
 def net_name(text: str) -> str:
-    """The name of a net or a label as a person has written it: without the sheets that a netlist puts before it.
+    """The name of a net or a label as the user has written it: without the sheets that a netlist puts before it.
 
     >>> net_name("/Motors/PWM{slash}A"), net_name("Net-(A1-SDA/A4)")
     ('PWM/A', 'Net-(A1-SDA/A4)')

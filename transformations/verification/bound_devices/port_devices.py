@@ -64,7 +64,7 @@ class BoundPort(Struct, frozen=True):
         kinds: kinds of the component, known by its name (`parts/port_roles.toml`).
         split: labels of the target's pins that trigger the component and receive its answer, if these are two; otherwise empty.
         motor: the wheel's name of an input of the motor driver -> label of the target's pin, if a motor takes the servo's place.
-        given_up: whether a person or a rule said that it is on no pin of the target.
+        given_up: whether the user or a rule said that it is on no pin of the target.
         shares_with: title of another port that has the same pin of the source and another one of the target; otherwise empty.
             In the source's trace the two cannot be told apart.
         near: how far from a border of the program values are tried, as per cent and an addition; None for the device's usual

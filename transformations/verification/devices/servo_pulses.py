@@ -111,7 +111,7 @@ class MotionTolerance:
     """The distance between two correct programs, which each motion for a time can increase by what the device covers in a frame.
 
     Args:
-        timed: whether the program drives the device for a time, as far as nothing else is told of a motion.
+        timed: whether the program drives the device for a time, as far as nothing else is known of a motion.
     """
 
     def __init__(self, timed: bool) -> None:

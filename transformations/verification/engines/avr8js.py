@@ -26,7 +26,7 @@ class _Run(NodeBench):
         return job.clock_hz
 
     def question(self) -> dict[str, Json]:
-        """The program in Intel HEX, and the registers whose writes are to be told.
+        """The program in Intel HEX, and the registers whose writes are to be reported.
 
         Raises:
             VerificationError: the program cannot be read.

@@ -117,7 +117,7 @@ class NodeBench(Bench):
 
     @abstractmethod
     def question(self) -> dict[str, Json]:
-        """What the program has to know of the job, beside what all of them are told."""
+        """What the program has to know of the job, beside what all of them get."""
 
     @abstractmethod
     def noted(self, values: list[Any]) -> None:

@@ -82,7 +82,7 @@ def stored_verdict(output: Path, name: str, files: Mapping[str, bytes] | None = 
             return None
         there = sketch_digests(output)
     except (OSError, msgspec.DecodeError, RobosmiError):
-        return None  # who verifies again is told of it
+        return None  # `verify` reports it
     made = {path.removeprefix(f"{name}/"): data for path, data in (files or {}).items() if path.startswith(f"{name}/")}
     there |= {path: hashlib.sha256(data).hexdigest() for path, data in made.items() if not path.endswith(".md")}
     return record if there == record.sketch else None

@@ -1,7 +1,7 @@
 """The stages of a search for scenarios that need several inputs: some that show something at once, or one after the other.
 
 Both grow what has led the source further by one more step, as coverage-guided fuzzing does: one more input that shows something
-else, one more press of a button. What leads further is told by short runs (`Look`): new edges of the flow, a comparison that goes
+else, one more press of a button. Short runs (`Look`) show what leads further: new edges of the flow, a comparison that goes
 the other way for the first time, or one whose two sides have come nearer to one another than ever.
 """
 

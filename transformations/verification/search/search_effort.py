@@ -1,7 +1,7 @@
 """The budget of a search, counted by what its runs do, so that the same seed finds the same scenarios on a busy machine.
 
 The time of a run is estimated from the number of its records and from the simulated time, with figures of a typical machine.
-The machine's own clock is only the outer limit, unless a person has set that one.
+The machine's own clock is only the outer limit, unless the user has set that one.
 """
 
 from __future__ import annotations

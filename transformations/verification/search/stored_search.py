@@ -1,6 +1,6 @@
 """What a search for scenarios came to, stored beside the scenarios: the next `verify` of the same original need not search again.
 
-The search depends on the original, its host model and its ports alone, never on the sketch. So a person who edits the sketch and
+The search depends on the original, its host model and its ports alone, never on the sketch. So the user who edits the sketch and
 verifies again has the same test cases to expect, and they are there already. A record counts only for the very same search, and
 only as long as the stored scenarios are those that it left.
 """
@@ -25,7 +25,7 @@ FILE = "search.json"
 
 
 class StoredSearch(Struct):
-    """A search that has ended, and not by the clock of a busy machine, unless a person has set the clock.
+    """A search that has ended, and not by the clock of a busy machine, unless the user has set the clock.
 
     Attributes:
         search: digest of all that the search depends on (`search_digest`).

@@ -1,6 +1,6 @@
 """The stages of a search for scenarios that seek borders: values, numbers and durations at which the source goes another way.
 
-Faults that move a border show beside it and nowhere else. Whether there is one is told by short runs of the source, of which
+Faults that move a border show beside it and nowhere else. Short runs of the source show whether there is one, of which
 hundreds take a second (`branch_thresholds`); only what is found there becomes a scenario.
 
 Borders part the values of an input into bands. What the input has shown before may matter: a program with a hysteresis leaves a

@@ -63,7 +63,7 @@ class CompilerComplaint(NamedTuple):
 def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
     """The lines of a program's files that a compiler refuses, each once, in the order of the files.
 
-    None are told of a program that nests too deep for libclang; reading it has reported that.
+    None are reported of a program that nests too deep for libclang; reading it has reported that.
 
     Args:
         program: the program, in C++.
