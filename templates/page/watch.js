@@ -83,7 +83,7 @@
         const cell = element("td", { "data-component": channel.component, "data-port": channel.port, "data-side": side, "data-state": "off" }, dial, element("span", {}));
         cell.events = channel.sides[side] || [];
         [cell.dial, cell.said] = cell.children;
-        cell.turns = channel.turns;
+        [cell.turns, cell.sounds] = [channel.turns, channel.sounds];
         cell.angle = 0;
         cell.shown = null; // no event, and not yet "nothing yet"
         return cell;
@@ -175,13 +175,13 @@
 
   const NOTES = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
 
-  function audible(event) {
-    return event && event[3] === "wave" && Number(event[1]) >= 20 && Number(event[1]) < 15000;
+  function audible(cell, event) {
+    return cell.sounds && event && event[3] === "wave" && Number(event[1]) >= 20 && Number(event[1]) < 15000;
   }
 
-  function note(event) { // the nearest one of the scale in which A4 has 440 Hz
+  function note(cell, event) { // the nearest one of the scale in which A4 has 440 Hz
     const number = Math.round(12 * Math.log2(Number(event[1]) / 440)) + 57;
-    return audible(event) ? ` (${NOTES[number % 12]}${Math.floor(number / 12)})` : "";
+    return audible(cell, event) ? ` (${NOTES[number % 12]}${Math.floor(number / 12)})` : "";
   }
 
   function shownValue(input) {
@@ -203,10 +203,10 @@
         const turned = `rotate(${(cell.angle % 360).toFixed(0)}deg)`;
         if (cell.dial.style.transform !== turned) cell.dial.style.transform = turned;
       }
-      if (audible(event) && cell.dataset.side === "migrated") hz = Number(state);
+      if (audible(cell, event) && cell.dataset.side === "migrated") hz = Number(state);
       if (words && cell.shown !== event) {
         cell.shown = event;
-        cell.said.textContent = event ? `${event[2]}${note(event)}` : "nothing yet";
+        cell.said.textContent = event ? `${event[2]}${note(cell, event)}` : "nothing yet";
       }
       if (cell.dataset.state === state && cell.turning === turning) continue;
       cell.dataset.state = state;

@@ -68,6 +68,7 @@ def test_both_programs_see_an_input_at_the_same_simulated_time(out: Path) -> Non
         assert 400 <= on <= 440
         assert 800 <= off <= 840
         assert "ready" in "".join(text for _, text in answer["console"][side])
+    assert [each["sounds"] for each in answer["channels"] if each["component"] == "lamp"] == [False]
     (key,) = [each for each in answer["inputs"] if each["title"] == "key"]
     assert (key["control"], key["points"]) == ("button", [[400, 1], [800, 0]])
     watched.close()
@@ -239,11 +240,11 @@ MADE: dict[str, Any] = {
     "title": "", "why": "", "compared": True, "verdict": "no-difference-found", "difference": None,
     "console": {"original": [[0, "one\n"], [100, "two\n"]], "migrated": [[0, "one\n"], [300, "two\n"]]},
     "channels": [
-        {"title": part, "component": part, "port": port, "pins": {"original": port, "migrated": "D4"}, "turns": False,
-         "sides": {"original": events, "migrated": events}, "cut": False}
+        {"title": part, "component": part, "port": port, "pins": {"original": port, "migrated": "D4"}, "cut": False,
+         "turns": False, "sounds": part == "piezo", "sides": {"original": events, "migrated": events}}
         for part, port, events in (
             ("piezo", "P4", [[0, "440", "440 Hz", "wave"], [100, "261.6", "261.6 Hz", "wave"], [200, "38000", "38 kHz", "wave"]]),
-            (LONG, "P" * 60, [[0, "on", "high", "level"]]),
+            (LONG, "P" * 60, [[0, "490", "490 Hz, 50 % high", "wave"]]),
         )
     ],
 }  # fmt: skip
@@ -271,6 +272,7 @@ def test_tones_show_as_notes_and_long_names_stay_in_their_place(tmp_path: Path, 
         ("38 kHz", ["one\ntwo\n", "one\ntwo\n"]),
         ("38 kHz", ["one\ntwo\n", "one\n"]),
     ]
+    assert page.script(texts)[2] == "490 Hz, 50 % high", "a lamp that a wave dims makes no tone"
     assert page.script("return document.documentElement.scrollWidth <= innerWidth")
     cells = "[...document.querySelectorAll('#watched tr > *')].every(cell => cell.scrollWidth <= cell.clientWidth)"
     assert page.script(f"return {cells}"), "a name leaves its cell"
