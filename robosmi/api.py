@@ -334,20 +334,22 @@ def generate_sketch(
     return made
 
 
-def check_model(path: str | Path) -> Analysed:
-    """Hold a drawing, a stored plan or any other model against all constraints registered for its metamodel.
+def check_model(path: str | Path, *, target: str | None = None) -> Analysed:
+    """Check a drawing, a stored plan or any other model: all constraints that are registered for its metamodel.
 
     Args:
         path: the file.
+        target: the target whose board a drawing or pin table has; if None that of the project file.
 
     Returns:
         What was checked; `.findings` in order, `.result` as the JSON contract has it.
 
     Raises:
-        SourceError: it cannot be read.
+        SourceError: it cannot be read, or has another board than the target's.
         ModelError: it contradicts its metamodel.
+        UsageError: there is no such target, or a target is given for something else than a drawing.
     """
-    found: Analysed = content("chain", "check")(path)
+    found: Analysed = content("chain", "check")(path, target=target)
     return found
 
 

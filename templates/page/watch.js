@@ -5,7 +5,7 @@
   const by = id => document.getElementById(id), section = by("watch");
   if (!section || !("live" in document.body.dataset)) return;
   const FIRST = 5000, LONGEST = 60000, SIDES = ["original", "migrated"], QUIET = 1500, tab = crypto.randomUUID();
-  let run = null, at = 0, playing = false, before = 0, asking = 0, loading = 0, compareLater = 0, sound = null;
+  let run = null, at = 0, playing = false, before = 0, asking = 0, loading = 0, compareLater = 0, sound = null, cells = [], controls = [], worded = 0;
 
   async function ask(about) {
     const reply = await fetch("watch", { method: "POST", headers: { "Content-Type": "application/json" }, cache: "no-store", body: JSON.stringify(about) });
@@ -82,24 +82,27 @@
         const dial = element("svg", { viewBox: "0 0 24 24", class: "dial", "aria-hidden": "true" }, element("circle", { cx: 12, cy: 12, r: 10 }), element("line", { x1: 12, y1: 12, x2: 12, y2: 3 }));
         const cell = element("td", { "data-component": channel.component, "data-port": channel.port, "data-side": side, "data-state": "off" }, dial, element("span", {}));
         cell.events = channel.sides[side] || [];
-        cell.turns = channel.turns;
+        [cell.dial, cell.said] = cell.children;
+        [cell.turns, cell.sounds] = [channel.turns, channel.sounds];
         cell.angle = 0;
-        cell.shown = null;
+        cell.shown = null; // no event, and not yet "nothing yet"
         return cell;
       });
       return element("tr", {}, element("th", { scope: "row" }, `${channel.component} (${channel.port}: ${channel.pins.original} / ${channel.pins.migrated})`), ...cells);
     });
     by("watched").replaceChildren(...rows);
+    cells = [...by("watched").querySelectorAll("td")];
     for (const side of SIDES) {
       const box = by(`console-${side}`);
-      [box.lines, box.shown] = [run.console[side] || [], null];
+      [box.lines, box.shown] = [run.console[side] || [], 0];
+      box.replaceChildren();
     }
     drawInputs();
     drawTimeline();
     show();
   }
 
-  const LEFT = 150, WIDE = 1000, HIGH = 16;
+  const LEFT = 150, WIDE = 1000, HIGH = 16; // the playhead begins at 15 %, see the stylesheet
 
   function drawTimeline() {
     const x = ms => LEFT + (WIDE - LEFT) * Math.min(1, ms / run.ms), all = [];
@@ -126,7 +129,6 @@
       const mark = x(run.difference.ms);
       all.push(element("line", { id: "difference", "data-ms": run.difference.ms, x1: mark, x2: mark, y1: 0, y2: y }, element("title", {}, `First difference, ${run.difference.channel}: ${run.difference.message}`)));
     }
-    all.push(element("line", { id: "playhead", x1: LEFT, x2: LEFT, y1: 0, y2: y }));
     all.push(element("line", { class: "axis", x1: LEFT, x2: WIDE, y1: y, y2: y }));
     const wanted = run.ms / 8, power = 10 ** Math.floor(Math.log10(wanted)), step = [1, 2, 5, 10].find(each => each * power >= wanted) * power;
     for (let n = 0; n * step <= run.ms; n++) {
@@ -150,6 +152,7 @@
       control.input = input;
       return input.control === "button" ? control : element("label", {}, `${label} `, control, " ", element("output", {}));
     }));
+    controls = [...by("inputs").querySelectorAll("[data-input]")];
     const same = held && [...by("inputs").querySelectorAll("[data-input]")].find(each => each.dataset.input === held);
     if (same) same.focus();
   }
@@ -172,13 +175,13 @@
 
   const NOTES = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
 
-  function audible(event) {
-    return event && event[3] === "wave" && Number(event[1]) >= 20 && Number(event[1]) < 15000;
+  function audible(cell, event) {
+    return cell.sounds && event && event[3] === "wave" && Number(event[1]) >= 20 && Number(event[1]) < 15000;
   }
 
-  function note(event) { // the nearest one of the scale in which A4 has 440 Hz
+  function note(cell, event) { // the nearest one of the scale in which A4 has 440 Hz
     const number = Math.round(12 * Math.log2(Number(event[1]) / 440)) + 57;
-    return audible(event) ? ` (${NOTES[number % 12]}${Math.floor(number / 12)})` : "";
+    return audible(cell, event) ? ` (${NOTES[number % 12]}${Math.floor(number / 12)})` : "";
   }
 
   function shownValue(input) {
@@ -191,31 +194,38 @@
     by("clock").textContent = `${(at / 1000).toFixed(3)} s`;
     if (!run) return;
     let hz = 0;
-    for (const cell of by("watched").querySelectorAll("td")) {
-      const event = last(cell.events), state = event ? event[1] : "off", turning = event && event[3] === "pulses";
+    const now = performance.now(), words = !playing || now - worded >= 100; // lamps and wheels change each frame; texts, as often as one can read them
+    if (words) worded = now;
+    for (const cell of cells) {
+      const event = last(cell.events), state = event ? event[1] : "off", turning = Boolean(event && event[3] === "pulses");
       if (turning) {
         cell.angle = cell.turns ? cell.angle + Number(state) * passed * 0.0036 : Number(state) - 90;
-        cell.querySelector("line").setAttribute("transform", `rotate(${(cell.angle % 360).toFixed(1)} 12 12)`);
+        const turned = `rotate(${(cell.angle % 360).toFixed(0)}deg)`;
+        if (cell.dial.style.transform !== turned) cell.dial.style.transform = turned;
       }
-      if (audible(event) && cell.dataset.side === "migrated") hz = Number(state);
-      if (cell.dataset.state === state && cell.shown === event) continue;
+      if (audible(cell, event) && cell.dataset.side === "migrated") hz = Number(state);
+      if (words && cell.shown !== event) {
+        cell.shown = event;
+        cell.said.textContent = event ? `${event[2]}${note(cell, event)}` : "nothing yet";
+      }
+      if (cell.dataset.state === state && cell.turning === turning) continue;
       cell.dataset.state = state;
-      cell.shown = event;
-      cell.classList.toggle("turning", Boolean(turning));
-      cell.querySelector("span").textContent = event ? `${event[2]}${note(event)}` : "nothing yet";
+      cell.turning = turning;
+      cell.classList.toggle("turning", turning);
       if (cell.dataset.side === "migrated" && by("circuit")) {
         for (const part of by("circuit").querySelectorAll("[data-symbol]")) if (part.dataset.component === cell.dataset.component) part.dataset.state = state;
       }
     }
-    for (const side of SIDES) {
+    for (const side of words ? SIDES : []) {
       const box = by(`console-${side}`), printed = count(box.lines);
       if (box.shown !== printed) {
+        if (printed < box.shown) box.replaceChildren(...[...box.children].slice(0, printed));
+        else box.append(...box.lines.slice(box.shown, printed).map(line => element("div", {}, line[1])));
         box.shown = printed;
-        box.textContent = box.lines.slice(0, printed).map(line => line[1]).join("");
         box.scrollTop = box.scrollHeight;
       }
     }
-    for (const control of by("inputs").querySelectorAll("[data-input]")) {
+    for (const control of controls) {
       const value = shownValue(control.input);
       if (control.shown === value) continue;
       control.shown = value;
@@ -223,10 +233,9 @@
       if (control.type === "range") control.nextElementSibling.textContent = String(value);
       if (control.type === "button") control.setAttribute("aria-pressed", String(value === 1));
     }
-    const head = by("playhead"), x = LEFT + (WIDE - LEFT) * Math.min(1, at / run.ms);
-    head.setAttribute("x1", x);
-    head.setAttribute("x2", x);
-    by("seek").value = at;
+    const there = Math.min(1, at / run.ms);
+    by("playhead").style.transform = `translateX(${(there * (WIDE - LEFT) / WIDE * 100).toFixed(2)}cqw)`;
+    if (words) by("seek").value = at;
     tone(playing ? hz : 0);
   }
 
@@ -268,7 +277,7 @@
     playing = false;
     delete section.dataset.playing;
     by("pause").textContent = atEnd() ? "Simulate longer" : "Continue";
-    tone(0);
+    show();
   }
 
   function atEnd() {

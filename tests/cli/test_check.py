@@ -70,6 +70,19 @@ def test_a_drawing_is_checked(examples: Path, capsys: pytest.CaptureFixture[str]
     assert document["result"]["models"][0]["constraints"] > 0
 
 
+def test_a_pin_table_is_checked_for_a_target(sketch: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table = tmp_path / "pins.csv"
+    table.write_text("pin,part,title,connector\nD5,XBee,radio,DIN\n")
+    code, document = run("check", table, "--target", "uno", capsys=capsys)
+    assert code == 0
+    assert {f["rule"] for f in document["findings"]} == {"RS255"}, "5 V at a part that bears 3.6 V"
+    code, document = run("check", table, "--target", "pico", capsys=capsys)
+    assert code == 0
+    assert {f["rule"] for f in document["findings"]} == {"RS223"}, "a Pico has no D5"
+    assert run("check", table, "--target", "unno", capsys=capsys)[0] == 2
+    assert run("check", sketch, "--target", "uno", capsys=capsys)[0] == 2
+
+
 def test_a_model_without_constraints_says_so(sketch: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(sketch / "models" / "platform.xmi")]) == 0
     assert "no constraints for this model" in capsys.readouterr().out

@@ -116,6 +116,19 @@ def test_questions_name_parts_and_show_three_lines(out: Path, serve: Serve) -> N
     assert page.script("return document.querySelector('[data-choice=\"port:P3\"] .context mark').textContent").startswith("8:")
 
 
+def test_a_part_with_200_pins_has_short_options(out: Path) -> None:
+    rows = (f"D{n % 12 + 2};Big chip;monster;pin {n}" for n in range(200))
+    (out.parent / "parts.csv").write_text("\n".join(["pin;part;title;connector", *rows]))
+    robosmi.migrate([out.parent / "eye.c"], out.parent / "wide", hardware=out.parent / "parts.csv", target="uno")
+    page = PlanPage(out.parent / "wide")
+    page.document(live=True, nonce="n")
+    labels = [rest.partition("</button>")[0] for rest in page.sections["decide"].split("<button")[1:]]
+    (option,) = {label.rpartition(">")[2] for label in labels if label.endswith("(D2)")}
+    assert option.startswith("monster pin 0, pin 12")
+    assert option.endswith("more (D2)")
+    assert len(option) < 60
+
+
 def test_the_next_open_question_is_one_key_away_and_the_progress_counts(out: Path, serve: Serve) -> None:
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.keys import Keys

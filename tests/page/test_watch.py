@@ -68,6 +68,7 @@ def test_both_programs_see_an_input_at_the_same_simulated_time(out: Path) -> Non
         assert 400 <= on <= 440
         assert 800 <= off <= 840
         assert "ready" in "".join(text for _, text in answer["console"][side])
+    assert [each["sounds"] for each in answer["channels"] if each["component"] == "lamp"] == [False]
     (key,) = [each for each in answer["inputs"] if each["title"] == "key"]
     assert (key["control"], key["points"]) == ("button", [[400, 1], [800, 0]])
     watched.close()
@@ -231,6 +232,50 @@ def test_the_live_part_runs_pauses_steps_takes_an_input_and_stops(out: Path, ser
     page.wait(lambda: page.script("return 'playing' in document.getElementById('watch').dataset"), BUILDS)
     page.script("document.querySelector('[data-run]').click()")
     assert page.script("return document.querySelector('[data-run]').dataset.run") == "stopped"
+
+
+LONG = "a sensor whose name has no end " * 8
+MADE: dict[str, Any] = {
+    "state": "done", "ms": 400, "seconds": 0.1, "engine": "simavr", "scenario": "", "cases": [], "inputs": [], "ended": {},
+    "title": "", "why": "", "compared": True, "verdict": "no-difference-found", "difference": None,
+    "console": {"original": [[0, "one\n"], [100, "two\n"]], "migrated": [[0, "one\n"], [300, "two\n"]]},
+    "channels": [
+        {"title": part, "component": part, "port": port, "pins": {"original": port, "migrated": "D4"}, "cut": False,
+         "turns": False, "sounds": part == "piezo", "sides": {"original": events, "migrated": events}}
+        for part, port, events in (
+            ("piezo", "P4", [[0, "440", "440 Hz", "wave"], [100, "261.6", "261.6 Hz", "wave"], [200, "38000", "38 kHz", "wave"]]),
+            (LONG, "P" * 60, [[0, "490", "490 Hz, 50 % high", "wave"]]),
+        )
+    ],
+}  # fmt: skip
+"""A run as a server answers it."""
+
+
+def test_tones_show_as_notes_and_long_names_stay_in_their_place(tmp_path: Path, serve: Serve) -> None:
+    (tmp_path / "lamp.c").write_text(PROGRAM)
+    robosmi.migrate([tmp_path / "lamp.c"], tmp_path / "out", target="uno")
+    page = serve(tmp_path / "out")
+    page.open()
+    page.script("const made = arguments[0]; window.fetch = async () => ({ json: async () => structuredClone(made) })", MADE)
+    page.script("document.querySelector('[data-run]').click()")
+    page.wait(lambda: page.script("return document.getElementById('clock').dataset.ms") == "400.0")
+    texts = "return [...document.querySelectorAll('#watched td')].map(cell => cell.textContent)"
+    console = "return [...document.querySelectorAll('#watch pre')].map(box => box.textContent)"
+    moved = "s.dispatchEvent(new Event('input', {bubbles: true}))"
+    seen = []
+    for ms in (50, 150, 350, 250):
+        page.script(f"const s = document.getElementById('seek'); s.value = {ms}; {moved}")
+        seen.append((page.script(texts)[0], page.script(console)))
+    assert seen == [
+        ("440 Hz (A4)", ["one\n", "one\n"]),
+        ("261.6 Hz (C4)", ["one\ntwo\n", "one\n"]),
+        ("38 kHz", ["one\ntwo\n", "one\ntwo\n"]),
+        ("38 kHz", ["one\ntwo\n", "one\n"]),
+    ]
+    assert page.script(texts)[2] == "490 Hz, 50 % high", "a lamp that a wave dims makes no tone"
+    assert page.script("return document.documentElement.scrollWidth <= innerWidth")
+    cells = "[...document.querySelectorAll('#watched tr > *')].every(cell => cell.scrollWidth <= cell.clientWidth)"
+    assert page.script(f"return {cells}"), "a name leaves its cell"
 
 
 def test_the_report_says_how_to_run_it(out: Path) -> None:

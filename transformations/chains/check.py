@@ -14,6 +14,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import UsageError
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
 from robosmi.model.ecore.ecore_lint import lint
@@ -27,10 +28,10 @@ from robosmi.query import root_of
 from robosmi.report import Report
 from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
+from robosmi.transformations.chains.hardware import drawing_for
 from robosmi.transformations.chains.stages.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.readers import is_drawing
-from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.finding_locations import in_file
@@ -68,30 +69,37 @@ class Checked:
         return [self.sound] if self.sound else []
 
 
-def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
+def check(path: str | Path, metamodels: Sequence[Path] = (), target: str | None = None) -> Checked:
     """Check a model.
 
     Args:
         path: a drawing, a stored plan, the output folder of a migration for its plan, or a model file of any technology.
         metamodels: the `.ecore` files of an XMI file whose metamodels are not known.
+        target: the target whose board a drawing has; if None that of the project file.
 
     Raises:
-        SourceError: it or its project file cannot be read.
+        SourceError: it or its project file cannot be read, or it has another board than the target's.
         ModelError: it contradicts its metamodel.
+        UsageError: there is no such target, or a target is given for something else than a drawing.
     """
     file = Path(path)
     if (plan := file / STORED).is_file():
         file = plan
     with project_of_input(file):
-        return _checked(file, metamodels)
+        return _checked(file, metamodels, target)
 
 
-def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
+def _checked(file: Path, metamodels: Sequence[Path], target: str | None) -> Checked:
     done = Checked(project_of(file))
+    if target and (metamodels or not is_drawing(file)):
+        raise UsageError(
+            "--target is for drawings and pin tables",
+            fix="leave it out: a plan has its target; for another one: robosmi migrate OUT --target NAME -o NEW",
+        )
     if metamodels:
         return _validated(done, [open_model(file, "emf", metamodel=Metamodel.load(*metamodels))])
     if is_drawing(file):
-        read = read_drawing(file, done.project.roles)
+        read = drawing_for(file, done.project.roles, target)
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix == ".ecore":

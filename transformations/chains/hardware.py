@@ -126,14 +126,26 @@ def drawing(path: Path, roles: Mapping[str, str], target_name: str | None) -> Dr
         SourceError: the drawing cannot be read, has no board and is no schematic, or has another board than the target's.
         UsageError: there is no such target.
     """
-    from robosmi.transformations.knowledge.platforms.target_platform import target_facts  # wanted with --target only
-
-    facts = target_facts(target_name) if target_name else None
-    made = read_drawing(path, roles, facts.board if facts is not None else None)
+    made = drawing_for(path, roles, target_name)
     if not boards(made.circuit) and not any(finding.rule in (HEADERS_ONLY, NO_BOARD) for finding in made.findings):
         the_board(made.circuit)  # says what is missing
-    if facts is not None:
-        _check_target(made, facts, path)
+    return made
+
+
+def drawing_for(path: Path, roles: Mapping[str, str], target_name: str | None) -> Drawing:
+    """A drawing of the target's board, if there is a target.
+
+    Raises:
+        SourceError: the drawing cannot be read, or has another board than the target's.
+        UsageError: there is no such target.
+    """
+    if not target_name:
+        return read_drawing(path, roles)
+    from robosmi.transformations.knowledge.platforms.target_platform import target_facts  # wanted with --target only
+
+    facts = target_facts(target_name)
+    made = read_drawing(path, roles, facts.board)
+    _check_target(made, facts, path)
     return made
 
 

@@ -33,6 +33,7 @@ from robosmi.transformations.chains.verify import (
     stored_original,
     stored_sources,
 )
+from robosmi.transformations.queries.circuits.component_kinds import known_roles
 from robosmi.transformations.queries.plans.motors import SERVO
 from robosmi.transformations.queries.plans.plan_adapters import port_calls
 from robosmi.transformations.verification.bound_devices.played_devices import CONSOLE, TYPING, devices_at, signals_of
@@ -336,7 +337,7 @@ def _shown(
     `ended` has each side that does not run to the end of the scenario: whether it is done or crashed, and when in ms.
 
     A channel has `title`, `component`, `port`, `pins` and for each side a list of [ms, state, text, kind of event]; `turns` says
-    that it is a wheel, `cut` that there are more events.
+    that it is a wheel, `sounds` that a wave there may be heard (a dimmed LED is silent), `cut` that there are more events.
     """
     by_title = {port.title: port for port in programs.ports}
     names = dict.fromkeys(name for side in sides.values() for name in side)
@@ -355,6 +356,7 @@ def _shown(
             {
                 "title": name, "component": port.component or port.name, "port": port.name,
                 "pins": {"original": port.source, "migrated": port.target}, "sides": rows, "turns": bool(wheel),
+                "sounds": not port.kinds or not port.kinds.isdisjoint(known_roles().audible),
                 "cut": any(len(events) > MOST_EVENTS for events in seen.values()),
             }
         )  # fmt: skip

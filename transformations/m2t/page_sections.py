@@ -165,7 +165,7 @@ def _pin(wire: migration.Connection | None, value: str) -> str:
 def _on(connection: migration.Connection) -> str:
     """The connectors of a connection and the kind of part."""
     component = connection.component
-    wires = ", ".join(displayed_names(connection.connectors))
+    wires = _cut_list(displayed_names(connection.connectors), ", ")
     return f"{wires} of {component.partTitle or component.title}" if component is not None else ""
 
 
@@ -176,7 +176,7 @@ def _part(connection: migration.Connection, plan: migration.MigrationPlan) -> st
     if component is None:
         return pin
     several = sum(other.component is component for other in plan.connections) > 1
-    wires = f" {', '.join(displayed_names(connection.connectors))}" if several else ""
+    wires = f" {_cut_list(displayed_names(connection.connectors), ', ')}" if several else ""
     return f"{component.title}{wires} ({pin})"
 
 
@@ -342,7 +342,7 @@ def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
     for wire in plan.connections:
         if wire.pin is not None and wire.component is not None:
             parts.setdefault(str(wire.pin.label), []).append(
-                f"{wire.component.title} {', '.join(displayed_names(wire.connectors))}"
+                f"{wire.component.title} {_cut_list(displayed_names(wire.connectors), ', ')}"
             )
             elements.setdefault(str(wire.pin.label), set()).update(str(each.elementId) for each in (wire.component, *wire.via))
     used: dict[str, list[migration.PortBinding]] = {}
@@ -371,9 +371,9 @@ def _wires(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
     ]  # fmt: skip
 
 
-def _cut_list(titles: Sequence[str]) -> str:
+def _cut_list(titles: Sequence[str], between: str = "; ") -> str:
     more = len(titles) - _NAMED
-    return "; ".join(titles) if more <= 0 else f"{'; '.join(titles[:_NAMED])} and {more} more"
+    return between.join(titles) if more <= 0 else f"{between.join(titles[:_NAMED])} and {more} more"
 
 
 def _port_name(binding: migration.PortBinding) -> str:
