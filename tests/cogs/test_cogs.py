@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.plugins import content
 from robosmi.transformations.chains.migrate import migrate, plan_migration
 from robosmi.transformations.chains.stages.output import Generated
 from robosmi.transformations.knowledge.board_models import load_board
@@ -252,3 +253,12 @@ def test_code_that_nothing_starts_has_no_stack(tmp_path: Path) -> None:
     called = plan_migration([program]).plan.concurrency
     assert called is not None
     assert called.slots == 3
+
+
+def test_a_pin_with_a_resting_level_is_let_go_when_its_cog_ends(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    require_engine("simavr")
+    program = PROGRAMS / "resting_pump.c"
+    migrate([program], tmp_path / "out", hardware=program.with_suffix(".csv"), bind={"P4": "D7"})
+    released = content("chain", "simulate")(tmp_path / "out", seconds=1).result["released"]
+    assert [each["pin"] for each in released if not each["pull_up"]] == ["D7"]

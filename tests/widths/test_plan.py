@@ -15,6 +15,7 @@ from tests.running import tree
 
 FOLDER = Path(__file__).parent
 PASSED = FOLDER / "passed.c"
+DEDUCED = FOLDER / "deduced.cpp"
 
 
 @cache
@@ -141,3 +142,12 @@ def test_a_macro_that_writes_its_changed_argument_is_said(tmp_path: Path) -> Non
 )  # fmt: skip
 def test_types_are_written_with_their_width(before: str, after: str) -> None:
     assert retyped(before) == after
+
+
+def test_what_gives_its_type_has_the_bits_of_the_source() -> None:
+    before, after = DEDUCED.read_text(), changed(DEDUCED)
+    marked = [pair for pair in zip(before.splitlines(), after.splitlines(), strict=True) if "  // " in pair[0]]
+    assert len(marked) >= 12
+    for old, new in marked:
+        code, _, wanted = new.partition("  // ")
+        assert wanted.removeprefix("becomes: ") in code if wanted != "stays" else new == old

@@ -59,7 +59,7 @@ class TypedExpression(Struct):
 
     Attributes:
         form: `literal`, `character`, `text`, `name`, `member`, `call`, `unary`, `binary`, `compound`, `assign`, `conditional`,
-            `index`, `cast`, `size`, `list`, `return`, `switch`, `case`, `if`, `declaration`, `macro`, or `other`.
+            `index`, `cast`, `size`, `list`, `return`, `switch`, `case`, `if`, `declaration`, `lambda`, `macro`, or `other`.
         operator: of unary, binary and compound ones.
         kind: its type on the source.
         converted: the type that it is converted to where it stands.
@@ -75,6 +75,7 @@ class TypedExpression(Struct):
         bracketed: it stands in parentheses.
         bits: of a member that is a bit-field, else -1.
         fixed: parameters of a called function that takes more than it names, else -1.
+        deduced: which children give their type to a parameter of a template or to a variable that is declared as `auto`.
     """
 
     form: str
@@ -93,3 +94,4 @@ class TypedExpression(Struct):
     bracketed: bool = False
     bits: int = -1
     fixed: int = -1
+    deduced: tuple[int, ...] = ()

@@ -33,6 +33,7 @@ class Walk(Struct):
         seen: place in a macro's body or argument -> the kinds of values found there: one use may pass an int, another a float.
         handing: functions of the program that pass a format on to the standard library.
         changed: places that are assigned or whose address is taken, so that no cast can be written there.
+        lambdas: how many lambdas are around the place of the walk: their results take the types of what they return.
     """
 
     here: Machine
@@ -42,6 +43,7 @@ class Walk(Struct):
     seen: dict[TextPlace, set[str]] = {}
     changed: set[TextPlace] = set()
     handing: set[str] = set()
+    lambdas: int = 0
 
     def run(self, top: list[TypedExpression]) -> None:
         """Walk over the declarations of a unit."""
@@ -121,6 +123,9 @@ class Walk(Struct):
         if node.children:
             self.value(node.children[0])
         numbers = [self.value(argument) for argument in arguments]
+        for place in node.deduced:
+            if place <= len(arguments):
+                self._deduce(arguments[place - 1], numbers[place - 1])
         if node.fixed > 0 and (has_format(node.name) if node.origin == "standard" else node.name in self.handing):
             self._format(node, arguments, numbers)
         elif node.origin != "standard":
@@ -177,6 +182,34 @@ class Walk(Struct):
     def _size(self, node: TypedExpression) -> Number | None:
         self._others(node)
         return Number(self.there.pointer_bits, False)
+
+    def _declaration(self, node: TypedExpression) -> Number | None:
+        for place, child in enumerate(node.children):
+            number = self.value(child)
+            if place in node.deduced:
+                self._deduce(child, number)
+        return node.kind.target
+
+    def _lambda(self, node: TypedExpression) -> Number | None:
+        self.lambdas += 1
+        self._others(node)
+        self.lambdas -= 1
+        return None
+
+    def _return(self, node: TypedExpression) -> Number | None:
+        for child in node.children:
+            number = self.value(child)
+            if self.lambdas:
+                self._deduce(child, number)
+        return None
+
+    def _deduce(self, node: TypedExpression, number: Number | None) -> None:
+        """Want a narrower number to be cast whose type is taken by what gets it."""
+        wanted = node.converted.number
+        if number is None or wanted is None or wanted.real or node.kind.enumeration:
+            return
+        if number.bits < wanted.bits and wanted.bits >= self.here.int_bits:
+            self.widen(node, wanted)
 
     # ---- operators
 
@@ -384,6 +417,9 @@ _RULES: dict[str, Callable[[Walk, TypedExpression], Number | None]] = {
     "member": Walk._member,
     "call": Walk._call,
     "cast": Walk._cast,
+    "declaration": Walk._declaration,
+    "lambda": Walk._lambda,
+    "return": Walk._return,
     "size": Walk._size,
     "unary": Walk._unary,
     "index": Walk._index,

@@ -21,7 +21,7 @@ from robosmi.transformations.queries.programs.main_locals import (
     moved_declarations,
     outlives,
 )
-from robosmi.transformations.queries.programs.main_program import MainStructure, loop_exits, main_structure
+from robosmi.transformations.queries.programs.main_program import MainStructure, loop_exits, main_structure, own_returns
 
 
 class Division(Struct, frozen=True):
@@ -71,7 +71,7 @@ def divide(main: ccode.Function, reserved: Collection[str] = (), words: Collecti
     """
     unit = ancestor_of_kind(main, ccode.SourceUnit)
     structure = main_structure(unit) if unit is not None else None
-    returns = tuple(all_of_kind(main, ccode.Return))
+    returns = own_returns(main)
     statements = tuple(main.body.statements) if main.body else ()
     if unit is None or structure is None or structure.loop is None:
         return Division(main, None, statements, returns=returns, reason="main has no endless loop")
@@ -119,7 +119,7 @@ def _obstacle(structure: MainStructure) -> str:
     if isinstance(loop.body, ccode.Block) and is_torn(loop.body):
         return f"a macro writes more than a brace of the loop in line {loop.line}"
     expanded = [(use.startOffset, use.endOffset) for use in unit.macroUses]
-    for leaving in (*loop_exits(loop), *all_of_kind(main, ccode.Return), *all_of_kind(loop, ccode.Continue)):
+    for leaving in (*loop_exits(loop), *own_returns(main), *all_of_kind(loop, ccode.Continue)):
         if any(start <= leaving.startOffset < end for start, end in expanded):
             return f"a macro leaves the loop in line {leaving.line}"
     if isinstance(loop, ccode.For) and loop.initial is not None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from msgspec import Struct
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_contents
+from robosmi.query import all_contents, all_of_kind
 
 
 class LoopExit(Struct):
@@ -82,6 +82,19 @@ def _in_macro(unit: ccode.SourceUnit, loop: ccode.Loop, variable: ccode.Variable
         use.macro is not None and _inside(loop, use) and word.search(str(use.macro.body or "")) is not None
         for use in unit.macroUses
     )
+
+
+def own_returns(function: ccode.Function) -> tuple[ccode.Return, ...]:
+    """The `return` statements of a function, without those of lambdas and of the methods of classes in its body."""
+    return tuple(each for each in all_of_kind(function, ccode.Return) if _around(each) is function)
+
+
+def _around(statement: ccode.Statement) -> object:
+    """The function or lambda that a statement is in."""
+    around = statement.eContainer()
+    while around is not None and not isinstance(around, (ccode.Function, ccode.Lambda)):
+        around = around.eContainer()
+    return around
 
 
 def exits(loop: ccode.Loop) -> list[LoopExit]:

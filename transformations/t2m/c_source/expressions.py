@@ -14,7 +14,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import literals, macros, types
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
-from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
+from robosmi.transformations.t2m.c_source.parsing.clang import Cursor, written_template
 from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = (
@@ -159,11 +159,7 @@ def constructor_call(context: UnitContext, node: Node) -> ccode.ConstructorCall:
 def _called(context: UnitContext, callee: Node) -> Cursor:
     """The declaration of a called function, for an instance of a template the template."""
     referenced = context.lib.getCursorReferenced(callee.cursor)
-    if context.source.language == "C++":
-        template = context.lib.getSpecializedCursorTemplate(referenced)
-        if template.data[0]:
-            return template
-    return referenced
+    return written_template(referenced) if context.source.language == "C++" else referenced
 
 
 def _is_function(context: UnitContext, callee: Node) -> bool:

@@ -74,6 +74,7 @@ _FORMS = {
     cursor_kinds.VAR_DECL: "declaration",
     cursor_kinds.FUNCTION_DECL: "function",
     cursor_kinds.FIELD_DECL: "declaration",
+    cursor_kinds.LAMBDA_EXPR: "lambda",
     cursor_kinds.ENUM_CONSTANT_DECL: "declaration",
 }
 _LITERAL, _PARAMETER, _FUNCTION = cursor_kinds.ENUM_CONSTANT_DECL, cursor_kinds.PARM_DECL, cursor_kinds.FUNCTION_DECL
@@ -211,6 +212,8 @@ class _Reader:
                 self.lib.getCursorResultType(node.cursor) if form == "function" else self.lib.getCursorType(node.cursor)
             )
         made.children = [self._made(child, depth + 1) for child in node.children]
+        if form == "declaration" and self.lib.getCursorType(node.cursor).kind == type_kinds.AUTO:
+            made.deduced = tuple(range(len(made.children)))
         if form == "case" and made.children:
             made.value = self._value(node.children[0])
         return made
@@ -244,6 +247,8 @@ class _Reader:
             called = called if called.kind != _POINTERS[0] else lib.getPointeeType(called)
             if lib.isFunctionTypeVariadic(lib.getCanonicalType(called)):
                 made.fixed = lib.getNumArgTypes(lib.getCanonicalType(called))
+        if node.kind == CALL:
+            made.deduced = self._deduced(referenced)
         file, _ = clang.file_offset(lib.getCursorLocation(referenced))
         name = clang.file_name(file)
         if made.name in self.platform:
@@ -258,6 +263,17 @@ class _Reader:
             parent = lib.getCursorSemanticParent(referenced)
             named = self._plainly(lib.getCanonicalType(lib.getCursorType(parent)))
             made.kind = made.kind._replace(target=self._enumeration(parent), enumeration=named)
+
+    def _deduced(self, called: Cursor) -> tuple[int, ...]:
+        """The children of a call whose types a template's parameters take."""
+        lib = self.lib
+        template = lib.getSpecializedCursorTemplate(called)
+        if template.kind in cursor_kinds.INVALID:
+            return ()
+        written, made = lib.getCursorType(template), lib.getCursorType(called)
+        pairs = ((lib.getArgType(written, n), lib.getArgType(made, n)) for n in range(max(lib.getNumArgTypes(written), 0)))
+        named = ([lib.text(lib.getTypeSpelling(each)) for each in pair] for pair in pairs)
+        return tuple(place for place, (wanted, given) in enumerate(named, 1) if wanted != given)
 
     # ---- types
 

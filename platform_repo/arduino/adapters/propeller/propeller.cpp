@@ -386,17 +386,14 @@ static uint32_t held_up = 0;
 
 //# helper cog_pins
 //#   needs: COG_SLOTS hal/Io
-//#   fidelity: which pins each cog drives; what is an output when the first cog starts is main's
+//#   fidelity: which pins each cog drives, main from the start; the level at which a part does nothing is nobody's
 //#   ram: 6
 static uint8_t cog_pins[COG_SLOTS + 1][(NUM_DIGITAL_PINS + 7) / 8];
 
-inline void cog_pins_begin() {
-  if (cog_pins_now) return;
-  cog_pins_now = cog_pins[0];
-  for (uint8_t pin = 0; pin < NUM_DIGITAL_PINS; pin++) {
-    if (Io(pin).driven()) cog_pins[0][pin >> 3] |= 1 << (pin & 7);
-  }
-}
+struct CogPins {
+  CogPins() { cog_pins_now = cog_pins[0]; }
+};
+static CogPins cog_pins_begun;
 
 //# helper yield
 //#   needs: COG_SLOTS cog_pins hal/Io cog_table cogs_running held_up hal/cog_switch hal/cog_overflow hal/cog_heap hal/cog_frame hal/stack_pointer
@@ -463,7 +460,6 @@ inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
   uint8_t *stack = cog_table.stack[number - 1];
   memset(stack, COG_PAINT, COG_STACK + cog_room);
-  cog_pins_begin();
   cog_table.saved[number] = cog_frame(stack + COG_STACK + cog_room, cog_main);
   cog_table.code[number] = code;
   cog_table.parameter[number] = parameter;

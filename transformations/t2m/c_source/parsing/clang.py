@@ -160,6 +160,7 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "getCursorPrettyPrinted": ([Cursor, c_void_p], String),
     "Type_getSizeOf": ([Type], c_longlong),
     "getNumArgTypes": ([Type], c_int),
+    "getArgType": ([Type, c_uint], Type),
     "isFunctionTypeVariadic": ([Type], c_uint),
     "isCursorDefinition": ([Cursor], c_uint),
     "Cursor_getStorageClass": ([Cursor], c_int),
@@ -225,6 +226,7 @@ class ClangLibrary:
         getCursorPrettyPrinted: Callable[[Cursor, int | None], String]
         Type_getSizeOf: Callable[[Type], int]
         getNumArgTypes: Callable[[Type], int]
+        getArgType: Callable[[Type, int], Type]
         isFunctionTypeVariadic: Callable[[Type], int]
         isCursorDefinition: Callable[[Cursor], int]
         Cursor_getStorageClass: Callable[[Cursor], int]
@@ -425,6 +427,15 @@ def overridden(method: Cursor) -> list[Cursor]:
     if found:
         library().disposeOverriddenCursors(found)
     return methods
+
+
+def written_template(declaration: Cursor) -> Cursor:
+    """The template as it is written that a declaration is made of; the declaration itself where there is none.
+
+    A method template of a class template is made in two steps: first for the class, then for the call.
+    """
+    template = library().getSpecializedCursorTemplate(declaration)
+    return written_template(template) if template.data[0] else declaration
 
 
 def line_of(location: SourceLocation) -> tuple[int | None, int]:

@@ -76,9 +76,7 @@ class GeneratedNames:
         known = self._names.get(at)
         if known is None:
             if cursor.kind in FUNCTIONS:
-                template = self.library.getSpecializedCursorTemplate(cursor)
-                if template.kind not in kinds.INVALID:
-                    cursor = template
+                cursor = clang.written_template(cursor)
             first = self.library.getCanonicalCursor(cursor)
             known = self.library.text(self.library.getCursorUSR(first)) or f"at {first.data[0]}"
             self._names[at] = known
