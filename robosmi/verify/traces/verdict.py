@@ -406,7 +406,7 @@ class Verdict(Struct):
         lines += ["", "pin assignment used here - please check:"]
         for each in self.binding:
             device = f", simulated as {each['device']}" if each["device"] else ""
-            where = each["target"] or "not connected"
+            where = each["target"] or ("the console (no pin)" if each.get("console") else "not connected")
             lines.append(f"  {each['port']}: {each['source']} -> {where} {each['component'] or ''}".rstrip() + device)
         return lines
 

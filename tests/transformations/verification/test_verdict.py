@@ -114,6 +114,14 @@ def test_only_an_open_port_is_advised_to_be_bound() -> None:
     assert "P21: not connected, by the plan" in said
 
 
+def test_the_console_is_not_called_unconnected() -> None:
+    port = BoundPort("P31", "P31", "", given_up=True, console=True)
+    assert "P31: the console (no pin)" in (said := why_nothing_was_compared(Verdict([]), [port]))
+    lines = "\n".join(Verdict([], binding=[port.to_json()]).lines())
+    assert "P31: P31 -> the console (no pin)" in lines
+    assert "not connected" not in said + lines
+
+
 def test_a_sensor_that_the_program_asks_is_no_output() -> None:
     ports = [BoundPort("P8", "P8", "D7", device="ranger", pin="signal"), BoundPort("P26", "P26", "D13")]
     channels = (ChannelComparison("P26", "same", events=2), ChannelComparison(f"P8{PAUSES}", "same", events=1))

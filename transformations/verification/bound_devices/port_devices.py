@@ -28,7 +28,7 @@ from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of, servo_pins
 from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
-from robosmi.transformations.queries.plans.port_pins import bound_pin
+from robosmi.transformations.queries.plans.port_pins import CONSOLE, bound_pin
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import program_ports
@@ -65,6 +65,7 @@ class BoundPort(Struct, frozen=True):
         split: labels of the target's pins that trigger the component and receive its answer, if these are two; otherwise empty.
         motor: the wheel's name of an input of the motor driver -> label of the target's pin, if a motor takes the servo's place.
         given_up: whether the user or a rule said that it is on no pin of the target.
+        console: whether the port is the console, which takes no pins of the target.
         shares_with: title of another port that has the same pin of the source and another one of the target; otherwise empty.
             In the source's trace the two cannot be told apart.
         near: how far from a border of the program values are tried, as per cent and an addition; None for the device's usual
@@ -96,6 +97,7 @@ class BoundPort(Struct, frozen=True):
     split: tuple[str, ...] = ()
     motor: Mapping[str, str] = {}
     given_up: bool = False
+    console: bool = False
     shares_with: str = ""
     loop_ms: float = 0.0
     placed: bool = False
@@ -123,7 +125,7 @@ class BoundPort(Struct, frozen=True):
         """The port as an element of `binding[]` in the JSON contract."""
         return {
             "port": self.name, "component": self.component or None, "source": self.source, "target": self.target or None,
-            "device": self.device or None,
+            "device": self.device or None, "console": self.console,
         }  # fmt: skip
 
 
@@ -177,7 +179,8 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             averaged=bool(used) and bool(averaged & used.keys()),
             pulsed=not pulses.isdisjoint(used) and used.keys() <= pulses | beside,
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
-            split=_split(plan, binding), motor=_motor(plan, binding), given_up=not binding.open, near=near,
+            split=_split(plan, binding), motor=_motor(plan, binding), given_up=not binding.open,
+            console=binding.choice == CONSOLE, near=near,
             called_at=frozenset(places.get(number, ())) if used else frozenset(),
             most=plan.board.volts * 1000 if device == VOLTAGES and plan.board is not None and not retains_platform(plan) else 0.0,
         )  # fmt: skip

@@ -267,7 +267,9 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
             "(give one in which it is repeatable: --scenario FILE, or check on the bench)"
         )
     parts = [f"{', '.join(idle)}: no change {where}"] if idle else []
-    if none := [port.title for port in ports if not port.target and port.given_up]:
+    if consoles := [port.title for port in ports if not port.target and port.console]:
+        parts.append(f"{', '.join(consoles)}: the console (no pin)")
+    if none := [port.title for port in ports if not port.target and port.given_up and not port.console]:
         parts.append(f"{', '.join(none)}: not connected, by the plan")
     if unbound := [port for port in ports if not port.target and not port.given_up]:
         advice = " ".join(f"--bind {port.name}=PIN" for port in unbound)
