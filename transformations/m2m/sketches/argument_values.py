@@ -28,10 +28,11 @@ _RULE = "argument-value"
 _BY_VALUE = frozenset(["analogWrite", "attachInterrupt"])
 """Functions whose arguments have rules of their own."""
 _OVERLOADED = frozenset(["print", "println"])
-_DECIMALS = {"print": (0, 1), "println": (0, 1), "String": (0, 1), "dtostrf": (0, 2)}
-"""What makes text of a real number -> the positions of the number and of its decimals."""
+_DECIMALS = {"print": 1, "println": 1, "String": 1, "dtostrf": 2}
+"""What makes text of a real number, its first argument -> the position of its decimals."""
 _BASES = {"itoa": 2, "String": 1}
-"""What writes an int to a base -> the position of the base."""
+"""What makes text of an int -> the position of its base."""
+_BASE_NAMES = {"HEX": 16, "OCT": 8, "BIN": 2, "DEC": 10}
 _EXACT_DECIMALS = 6
 """A float has 7 digits: one before the point leaves so many behind it."""
 _SEEDS = frozenset(["randomSeed", "srandom", "srand"])
@@ -63,32 +64,32 @@ def _seeds(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
 def _decimals(sketch: MovedSketch, values: WrappedValues) -> Iterator[PortabilityPlace]:
     """The texts of real numbers with more decimals than a float has, which is what a double is on AVR."""
     for view in sketch.views:
-        made = [*view.of_kind(ccode.Call), *view.of_kind(ccode.ConstructorCall)]
-        for call in made:
-            name = str(call.className if isinstance(call, ccode.ConstructorCall) else call.calleeName)
-            at, decimals = _DECIMALS.get(name, (0, len(call.arguments)))
-            if decimals >= len(call.arguments):
-                continue
-            kind, numbers = values.number(call.arguments[at]), [each.number for each in view.values.of(call.arguments[decimals])]
-            if kind is not None and kind.real and any(each is not None and each > _EXACT_DECIMALS for each in numbers):
-                yield sketch.place("real_digits", call, expression_text(call.arguments[at]))
+        for given, decimals in _written_numbers(view, _DECIMALS):
+            kind = values.number(given)
+            if kind is not None and kind.real and any(each is not None and each > _EXACT_DECIMALS for each in decimals):
+                yield sketch.place("real_digits", given, expression_text(given))
 
 
 def _digits(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit]:
     """The edits of ints that are written to a base other than 10: a negative one has as many digits as an int there."""
     bits = values.here.int_bits
     for view in sketch.views:
-        for call in [*view.of_kind(ccode.Call), *view.of_kind(ccode.ConstructorCall)]:
-            name = str(call.className if isinstance(call, ccode.ConstructorCall) else call.calleeName)
-            base = _BASES.get(name, len(call.arguments))
-            if base >= len(call.arguments) or not is_written(view, call.arguments[0]):
-                continue
-            given = call.arguments[0]
-            ten = all(each.number == 10 for each in view.values.of(call.arguments[base]))
-            if not ten and values.may_be_negative(given):
+        for given, bases in _written_numbers(view, _BASES):
+            if not {None, 10}.intersection(bases) and is_written(view, given) and values.may_be_negative(given):
                 start, end = int(given.startOffset), int(given.endOffset)
                 reason = f"its digits are those of {bits} bits on its own board"
                 yield SketchEdit(given, _RULE, reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
+
+
+def _written_numbers(view: CodeView, positions: Mapping[str, int]) -> Iterator[tuple[ccode.Expression, set[int | None]]]:
+    """The numbers that calls make text of, and the values of the argument at a position, which says how."""
+    made = [(str(each.calleeName), list(each.arguments)) for each in view.of_kind(ccode.Call)]
+    made += [(str(each.className), list(each.arguments)) for each in view.of_kind(ccode.ConstructorCall)]
+    for name, arguments in made:
+        if name in positions and positions[name] < len(arguments):
+            how = arguments[positions[name]]
+            known = _BASE_NAMES.get(str(how.name)) if isinstance(how, ccode.NameReference) else None
+            yield arguments[0], {known} if known else {each.number for each in view.values.of(how)}
 
 
 def _zeros(sketch: MovedSketch) -> Iterator[SketchEdit]:
