@@ -28,6 +28,14 @@ _RULE = "argument-value"
 _BY_VALUE = frozenset(["analogWrite", "attachInterrupt"])
 """Functions whose arguments have rules of their own."""
 _OVERLOADED = frozenset(["print", "println"])
+_DECIMALS = {"print": 1, "println": 1, "String": 1, "dtostrf": 2}
+"""What makes text of a real number, its first argument -> the position of its decimals."""
+_BASES = {"itoa": 2, "String": 1}
+"""What makes text of an int -> the position of its base."""
+_BASE_NAMES = {"HEX": 16, "OCT": 8, "BIN": 2, "DEC": 10}
+_EXACT_DECIMALS = 6
+"""A float has 7 digits: one before the point leaves so many behind it."""
+_SEEDS = frozenset(["randomSeed", "srandom", "srand"])
 
 
 def argument_values(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
@@ -37,6 +45,51 @@ def argument_values(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPla
     yield from _whole_results(sketch)
     yield from _interrupts(sketch)
     yield from _equal_constants(sketch)
+    if sketch.move.source.architecture != sketch.move.target.architecture:
+        yield from _seeds(sketch)
+
+
+def _seeds(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
+    """The constants from which random numbers start: on another core another sequence follows."""
+    for view in sketch.views:
+        own = {function.name for function in view.of_kind(ccode.Function) if function.body is not None}
+        for call in (each for name in sorted(_SEEDS - own) for each in _called(view, name)):
+            if _owner(call) or len(call.arguments) != 1:
+                continue
+            numbers = {value.number for value in view.values.of(call.arguments[0])}
+            if numbers and None not in numbers:
+                yield sketch.place("random_sequence", call, f"{call.calleeName}({expression_text(call.arguments[0])})")
+
+
+def _decimals(sketch: MovedSketch, values: WrappedValues) -> Iterator[PortabilityPlace]:
+    """The texts of real numbers with more decimals than a float has, which is what a double is on AVR."""
+    for view in sketch.views:
+        for given, decimals in _written_numbers(view, _DECIMALS):
+            kind = values.number(given)
+            if kind is not None and kind.real and any(each is not None and each > _EXACT_DECIMALS for each in decimals):
+                yield sketch.place("real_digits", given, expression_text(given))
+
+
+def _digits(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit]:
+    """The edits of ints that are written to a base other than 10: a negative one has as many digits as an int there."""
+    bits = values.here.int_bits
+    for view in sketch.views:
+        for given, bases in _written_numbers(view, _BASES):
+            if not {None, 10}.intersection(bases) and is_written(view, given) and values.may_be_negative(given):
+                start, end = int(given.startOffset), int(given.endOffset)
+                reason = f"its digits are those of {bits} bits on its own board"
+                yield SketchEdit(given, _RULE, reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
+
+
+def _written_numbers(view: CodeView, positions: Mapping[str, int]) -> Iterator[tuple[ccode.Expression, set[int | None]]]:
+    """The numbers that calls make text of, and the values of the argument at a position, which says how."""
+    made = [(str(each.calleeName), list(each.arguments)) for each in view.of_kind(ccode.Call)]
+    made += [(str(each.className), list(each.arguments)) for each in view.of_kind(ccode.ConstructorCall)]
+    for name, arguments in made:
+        if name in positions and positions[name] < len(arguments):
+            how = arguments[positions[name]]
+            known = _BASE_NAMES.get(str(how.name)) if isinstance(how, ccode.NameReference) else None
+            yield arguments[0], {known} if known else {each.number for each in view.values.of(how)}
 
 
 def _zeros(sketch: MovedSketch) -> Iterator[SketchEdit]:
@@ -155,8 +208,10 @@ def stored_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[Sketch
 
 
 def taken_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:
-    """The edits of arguments that functions of the platform take in 16 bits on the source board; values of no pulse width."""
+    """The edits of arguments that the platform takes in 16 bits on the source board, and of digits; values of no pulse width."""
     bits = values.here.int_bits
+    yield from _decimals(sketch, values)
+    yield from _digits(sketch, values)
     for view in sketch.views:
         for called in view.called().values():
             entry = called.entry

@@ -98,7 +98,7 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
                 change = Replacement(found.start(1), found.end(1), spelling)
                 yield SketchEdit(cast, "int-cut", f"the result is cut to the {bits} bits that it has on its own board", (change,))
         for each in view.of_kind(ccode.Binary):
-            if each.operator in COMPARISONS and is_written(view, each):
+            if (each.operator in COMPARISONS or each.operator in ("/", "%")) and is_written(view, each):
                 yield from _unsigned_side(each, values)
             limits = [side for side in (each.left, each.right) if isinstance(side, ccode.NameReference)]
             if each.operator in ("+", "-", "*", "<<"):
@@ -114,16 +114,22 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
 
 
 def _unsigned_side(each: ccode.Binary, values: WrappedValues) -> Iterator[SketchEdit]:
-    """The edit of a negative number that is compared with an unsigned one, which the source's int cannot hold."""
+    """The edit of a number that may be negative where it meets an unsigned one, which the source's int cannot hold.
+
+    An unsigned int of the target holds it, other than a `uint16_t`: that becomes an int there, with a sign.
+    """
     bits = values.here.int_bits
     for one, other in ((each.left, each.right), (each.right, each.left)):
         number, found = values.number(one), values.range_of(other)
         if number is None or number.real or number.signed or number.bits != bits or other is None:
             continue
         of = values.number(other)
-        if found is not None and found.single and found.low < 0 and of is not None and of.bits == bits:
+        if of is None or of.real or not of.signed or of.bits > bits or (found is not None and found.low >= 0):
+            continue
+        single = each.operator in COMPARISONS and found is not None and found.single
+        if single or values.is_narrow_there(one):
             start, end = int(other.startOffset), int(other.endOffset)
-            reason = "it is compared without a sign on its own board"
+            reason = "it has no sign beside an unsigned number on its own board"
             yield SketchEdit(other, "int-cut", reason, (inserted(start, f"(uint{bits}_t)("), inserted(end, ")")))
 
 

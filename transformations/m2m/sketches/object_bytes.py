@@ -19,6 +19,7 @@ from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, Sketc
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import field_of, of_use
 from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 
 BYTES, SIZE = "bytes_of_object", "sizeof_int"
 _RULE = "object-bytes"
@@ -32,15 +33,33 @@ _SIZES = {
 _KEYWORD = re.compile(rb"\b(?:struct|class|union)\b")
 _HEAD = re.compile(rb"enum\b(?:\s+(?:class|struct)\b)?(?:\s+\w+)?(?=\s*\{)")
 """An enumeration up to its braces; one that says its type has more in front of them."""
+_UNNAMED = re.compile(rb"\b(?:struct|class)\s*\{([^}]*)\}")
+_WIDE = re.compile(rb"\b(?:int|unsigned(?!\s+char)|word|long|short|float|double|u?int(?:16|32|64)_t)\b")
+"""A type in a record that has another size on the target, or is aligned there."""
 _MEASURED = re.compile(rb"\b(unsigned\s+int|unsigned|int|double)\b")
 _OF_WIDTH = {b"double": b"float", b"int": b"int16_t"}
 
 
-def object_bytes(sketch: MovedSketch) -> Iterator[SketchEdit]:
+def object_bytes(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     """The edits of records, variables, enumerations and sizes; each element has one, however many objects are of its type."""
+    yield from _unnamed_records(sketch)
     edits = list(_edits(sketch))
     once = {id(each.element): each for each in reversed(edits) if each.replacements}
     yield from (each for each in edits if not each.replacements or once[id(each.element)] is each)
+
+
+def _unnamed_records(sketch: MovedSketch) -> Iterator[PortabilityPlace]:
+    """The unions with a record without a name whose layout may differ: the model does not have its members."""
+    if sketch.move.source.int_bits >= sketch.move.target.int_bits:
+        return
+    for view in sketch.views:
+        data, told = sketch.sources[str(view.unit.path)], sketch.lines(BYTES, view)
+        for record in view.of_kind(ccode.Record):
+            if record.recordKind is not ccode.RecordKind.unionType or int(record.line) in told:
+                continue
+            inner = _UNNAMED.findall(data, int(record.startOffset), int(record.endOffset))
+            if any(map(_WIDE.search, inner)):
+                yield sketch.place(BYTES, record, f"union {record.name}".rstrip())
 
 
 def _edits(sketch: MovedSketch) -> Iterator[SketchEdit]:

@@ -7,8 +7,10 @@ functions. A counter that is compared with a bound and then set, or that runs in
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
+from math import isfinite
+from operator import add, mul, sub, truediv
 from typing import TypeGuard
 
 from robosmi.metamodels import ccode
@@ -23,6 +25,8 @@ from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 _GROWING = frozenset(["+", "-", "*", "<<"])
 _CLOSED = _GROWING | {"&", "|", "^"}
 """Operators whose result modulo a power of two depends only on the operands modulo that power."""
+_REAL_RULES: Mapping[str, Callable[[float, float], float]] = {"+": add, "-": sub, "*": mul, "/": truediv}
+_LOOKED_AT = (ccode.Binary, ccode.Unary, ccode.Cast, ccode.Call, ccode.ConditionalExpression)
 _STEPS = frozenset(["+=", "-=", "*=", "<<="])
 _ROUNDS = 3
 
@@ -149,7 +153,41 @@ class WrappedValues:
     def leaves(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether the value of an expression is known to lie beyond a type at times, or wraps on its way."""
         found = self._ranges.of(expression)
-        return found is not None and not found.within(number.least, number.most)
+        if found is None:
+            return self._real_leaves(expression, number)
+        return not found.within(number.least, number.most)
+
+    def _real_leaves(self, expression: ccode.Expression | None, number: Number) -> bool:
+        """Whether a real number is known to be too large or too small for a type at times: AVR keeps its lower bits."""
+        of, ends = self.number(expression), self._ends(expression)
+        if of is None or not of.real or ends is None:
+            return False
+        return not number.least <= int(ends[0]) <= int(ends[1]) <= number.most
+
+    def _ends(self, expression: ccode.Expression | None) -> tuple[float, float] | None:
+        """The least and the greatest value of a calculation with real numbers, None where the text does not say them."""
+        if isinstance(expression, ccode.FloatingLiteral):
+            try:
+                value = float(str(expression.text).rstrip("fFlL"))
+            except ValueError:  # hexadecimal, or with marks between its digits
+                return None
+            return (value, value) if isfinite(value) else None
+        if isinstance(expression, ccode.Cast):
+            return self._ends(expression.operand)
+        if isinstance(expression, ccode.NameReference) and isinstance(held := expression.target, ccode.Variable):
+            of = self.number(expression)
+            if of is not None and of.real:
+                constant = held.valueType is not None and "const" in str(held.valueType.spelling).split()
+                return self._ends(held.initializer) if constant else None
+        if not isinstance(expression, ccode.Binary) or (of := self.number(expression)) is None or not of.real:
+            found = self._ranges.of(expression)
+            return (found.low, found.high) if found is not None else None
+        left, right = self._ends(expression.left), self._ends(expression.right)
+        rule = _REAL_RULES.get(str(expression.operator))
+        if rule is None or left is None or right is None or (expression.operator == "/" and right[0] <= 0 <= right[1]):
+            return None
+        every = [rule(a, b) for a in left for b in right]
+        return (min(every), max(every)) if all(map(isfinite, every)) else None
 
     def _grows_by(self, value: ccode.Expression | None, holder: Declared) -> bool:
         """Whether an assigned value is the old one with something added, so that no range tells where it ends."""
@@ -253,9 +291,10 @@ class WrappedValues:
     def exceeding(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
         """The expressions of a unit that wrap on the source where their value is looked at, with their types there."""
         for expression in view.elements:
-            if not isinstance(expression, (ccode.Binary, ccode.Unary, ccode.Cast)) and not self._is_macro(expression):
+            if not isinstance(expression, _LOOKED_AT) and not self._is_macro(expression):
                 continue
-            number = self.number(expression)
+            known = isinstance(expression, ccode.Call)  # not taken for an int, as in a sum
+            number = self._ranges.numbers.of(expression) if known else self.number(expression)
             if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
                 continue
             if self.exceeds(expression, number) and self._looked_at(expression, number):
@@ -269,7 +308,11 @@ class WrappedValues:
             operands = [expression.operand]
         elif isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
             operands = [expression.left] if expression.operator == "<<" else [expression.left, expression.right]
-        elif self._is_macro(expression):
+        elif isinstance(expression, ccode.ConditionalExpression):
+            operands = [expression.whenTrue, expression.whenFalse]
+            if not number.signed and any(map(self.may_be_negative, operands)):
+                return True
+        elif self._is_macro(expression) or isinstance(expression, ccode.Call):
             operands = []
         else:
             return False
@@ -282,6 +325,11 @@ class WrappedValues:
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
         )
 
+    def may_be_negative(self, expression: ccode.Expression | None) -> bool:
+        """Whether an int, or what becomes one, is not known to be 0 or more."""
+        of, found = self.number(expression), self._ranges.of(expression)
+        return of is not None and not of.real and of.signed and of.bits <= self.here.int_bits and (found is None or found.low < 0)
+
     @staticmethod
     def _is_macro(expression: Element | None) -> TypeGuard[ccode.NameReference]:
         """Whether an expression is the name of a macro, whose body may calculate beyond its type."""
@@ -292,14 +340,16 @@ class WrappedValues:
         inner, found = self.number(cast.operand), self._ranges.of(cast.operand)
         literal = cast.operand.operand if isinstance(cast.operand, ccode.Unary) else cast.operand
         written = isinstance(literal, ccode.IntegerLiteral) or self._is_macro(literal)
-        wider = inner is not None and not inner.real and (inner.bits > number.bits or written)
+        if inner is not None and inner.real:
+            return self._real_leaves(cast.operand, number)
+        wider = inner is not None and (inner.bits > number.bits or written)
         return wider and (found is None or not found.within(number.least, number.most))
 
     def cuts(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether a type cuts a value: it is known not to fit, or wider and not known to."""
         of, found = self.number(expression), self._ranges.of(expression)
         if of is not None and of.real:
-            return False
+            return self._real_leaves(expression, number)
         return not found.within(number.least, number.most) if found is not None else of is not None and of.bits > number.bits
 
     def _joins(self, shift: ccode.Binary, number: Number) -> bool:
@@ -327,6 +377,14 @@ class WrappedValues:
             to = self.there.number(str(outer.target.spelling)) if outer.target is not None else None
             return to is None or to.real or to.bits > number.bits
         return not isinstance(outer, (ccode.ExpressionStatement, ccode.For))
+
+    def is_narrow_there(self, expression: ccode.Expression | None) -> bool:
+        """Whether a name, member, element or cast has 16 bits on the target as well, where int is wider."""
+        if isinstance(expression, ccode.Cast):
+            kind = self.there.number(str(expression.target.spelling)) if expression.target is not None else None
+            return kind is not None and not kind.real and kind.bits <= self.here.int_bits
+        holders = self.uses.holders(_object(expression))
+        return bool(holders) and all(map(self._cuts, holders))
 
     def _cuts(self, holder: Declared) -> bool:
         """Whether what is stored in a variable is cut to 16 bits there, on the target as well."""

@@ -1,0 +1,45 @@
+uint16_t width = 50;
+byte small = 5;
+unsigned int wide = 100;
+int level = 0;
+char text[12];
+union Packet {
+  struct { byte id; int value; } part;
+  byte raw[3];
+} packet;
+union Pair {
+  struct { byte low; unsigned char high; };
+  uint16_t both;
+} pair;
+
+void setup() {
+  Serial.begin(9600); while (!Serial && millis() < 3000) {}
+}
+
+void loop() {
+  level = analogRead(A0) - 600;
+  int reading = analogRead(A0);
+  uint16_t gap = level - wide;
+  if ((uint16_t)(level) < width) Serial.println("below");
+  if (reading < width) Serial.println("dark");
+  if (level < small) Serial.println("small");
+  if ((uint16_t)(level) < gap) Serial.println("gap");
+  if (level < wide) Serial.println("wide");
+  if ((uint16_t)(level) < (uint16_t)reading) Serial.println("cast");
+  Serial.println((uint16_t)(level) / width);
+  Serial.println(reading / width);
+  long chosen = (uint16_t)(level < 0 ? level : wide);
+  long known = reading > 9 ? reading : wide;
+  Serial.println(chosen + known);
+  text[Serial.readBytesUntil('\n', text, 7)] = 0;
+  Serial.println((int16_t)(atoi(text)));
+  if ((int16_t)(atoi(text)) > 0) Serial.println("more");
+  long typed = (int16_t)(atoi(text));
+  Serial.println(typed);
+  Serial.println(itoa((uint16_t)(level), text, 16));
+  Serial.println(itoa(level, text, 10));
+  Serial.println(String((uint16_t)(level), HEX));
+  Serial.println(String(level));
+  Serial.println(String(reading, BIN));
+  Serial.write(packet.raw, sizeof(packet));
+}

@@ -1,0 +1,45 @@
+uint16_t width = 50;
+byte small = 5;
+unsigned int wide = 100;
+int level = 0;
+char text[12];
+union Packet {
+  struct { byte id; int value; } part;
+  byte raw[3];
+} packet;
+union Pair {
+  struct { byte low; unsigned char high; };
+  uint16_t both;
+} pair;
+
+void setup() {
+  Serial.begin(9600);
+}
+
+void loop() {
+  level = analogRead(A0) - 600;
+  int reading = analogRead(A0);
+  unsigned int gap = level - wide;
+  if (level < width) Serial.println("below");
+  if (reading < width) Serial.println("dark");
+  if (level < small) Serial.println("small");
+  if (level < gap) Serial.println("gap");
+  if (level < wide) Serial.println("wide");
+  if (level < (uint16_t)reading) Serial.println("cast");
+  Serial.println(level / width);
+  Serial.println(reading / width);
+  long chosen = level < 0 ? level : wide;
+  long known = reading > 9 ? reading : wide;
+  Serial.println(chosen + known);
+  text[Serial.readBytesUntil('\n', text, 7)] = 0;
+  Serial.println(atoi(text));
+  if (atoi(text) > 0) Serial.println("more");
+  long typed = atoi(text);
+  Serial.println(typed);
+  Serial.println(itoa(level, text, 16));
+  Serial.println(itoa(level, text, 10));
+  Serial.println(String(level, HEX));
+  Serial.println(String(level));
+  Serial.println(String(reading, BIN));
+  Serial.write(packet.raw, sizeof(packet));
+}
