@@ -141,12 +141,14 @@ struct PortRegister {
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
   const PortRegister &change(uint32_t mask, uint32_t value, bool flips = false) const {
+    bool each = mask != ~0UL;  // else the value may hold what was read, which other cogs drive
     for (uint8_t first = 0; mask; first += 8, mask >>= 8, value >>= 8) {
       uint8_t number = first, levels = value;
       for (uint8_t rest = mask; rest; rest >>= 1, levels >>= 1, number++) {
         if (!(rest & 1)) continue;
         Io io(port(number));
         bool before = directions ? io.driven() : io.latch(), level = flips ? !before : levels & 1;
+        if (directions && level && each && io.wired()) io.own(true);  // it may rest as an output since setup
         if (level == before) continue;
         if (directions) io.drive(level);
         else io.set(level);
