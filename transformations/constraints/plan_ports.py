@@ -242,6 +242,30 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     )
 
 
+@bindings.constraint(
+    id="RS732", severity=Severity.warning, guard=lambda b: b.role == SERVO and bound_pin(b) is not None,
+    advice="let a servo board such as a PCA9685 make the pulses of some, or choose a board whose library Servo has more places",
+)  # fmt: skip
+def ServoHasAPlace(b: migration.PortBinding) -> bool | Fail:
+    """The servos on pins are no more than the target makes pulses for; the first one beyond is reported."""
+    plan = plan_of(b)
+    used = [use.adapter for use in plan.adapterUses if use.adapter is not None]
+    most = min((int(piece.mostServos) for piece in closure(used) if piece.mostServos), default=0)
+    before = list(dict.fromkeys(pin for other in _before(b) if (pin := _servo_pin(other)) is not None))
+    pin = _servo_pin(b)
+    if not most or pin is None or pin in before or len(before) != most:
+        return True
+    total = len({each.label for other in plan.portBindings if (each := _servo_pin(other)) is not None})
+    message = f"{total} servos are on pins of the board, which makes pulses for {most} at a time: those that move last get none"
+    return Fail(message, pin=pin.label)
+
+
+def _servo_pin(b: migration.PortBinding) -> platform.Pin | None:
+    """The pin of a port with a servo that gets pulses; None for others, and for motors that stand for servos."""
+    turned = b.role == SERVO and channel_of(b, plan_of(b).motorChannels) is None
+    return bound_pin(b) if turned else None
+
+
 @worded_bindings.constraint(
     id="RS727", severity=Severity.warning, advice="check whether another connection is intended",
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
