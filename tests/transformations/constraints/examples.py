@@ -184,7 +184,9 @@ def moving(servos: int) -> migration.MigrationPlan:
     for number in range(servos):
         pin = platform.Pin(label=f"D{number + 3}")
         made.board.pins.append(pin)
-        made.portBindings.append(migration.PortBinding(name=f"n{number}", sourcePin=number, pin=pin, choice=pin.label, role="servo"))
+        made.portBindings.append(
+            migration.PortBinding(name=f"n{number}", sourcePin=number, pin=pin, choice=pin.label, role="servo")
+        )
     return made
 
 
