@@ -21,7 +21,7 @@ from robosmi.transformations.queries.circuits.connector_names import displayed_n
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
-from robosmi.transformations.queries.plans.port_pins import bound_pin, source_name
+from robosmi.transformations.queries.plans.port_pins import CONSOLE, bound_pin, source_name
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.validate import EVL, Fail
@@ -264,6 +264,23 @@ def _servo_pin(b: migration.PortBinding) -> platform.Pin | None:
     """The pin of a port with a servo that gets pulses; None for others, and for motors that stand for servos."""
     turned = b.role == SERVO and channel_of(b, plan_of(b).motorChannels) is None
     return bound_pin(b) if turned else None
+
+
+@bindings.constraint(
+    id="RS733", severity=Severity.warning, guard=lambda b: b.choice == CONSOLE,
+    advice="bind the other port to the console, too, or this one to a pin",
+)  # fmt: skip
+def LineIsTheConsoleWhole(b: migration.PortBinding) -> bool | Fail:
+    """A serial line whose one port is the console, which has no pins, does not have its other port on a pin."""
+    flows = plan_of(b).portFlows
+    calls = [call for flow in flows if b in flow.bindings for call in flow.calls]
+    for other in (other for flow in flows if any(call in calls for call in flow.calls) for other in flow.bindings):
+        if (pin := bound_pin(other)) is not None:
+            return Fail(
+                f"the {named(b)} is the console's, and the {named(other)} of the same line is on {pin.label}: "
+                f"the line uses {pin.label} alone, and nothing of it reaches the console", pin=pin.label,
+            )  # fmt: skip
+    return True
 
 
 @worded_bindings.constraint(

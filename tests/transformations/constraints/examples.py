@@ -190,6 +190,19 @@ def moving(servos: int) -> migration.MigrationPlan:
     return made
 
 
+def talking(other: str) -> migration.MigrationPlan:
+    """A plan with a serial line whose first port is the console and whose second port is there, too, or on a pin."""
+    made = a_plan(
+        portBindings=lambda p: [
+            migration.PortBinding(name="rx", sourcePin=31, choice="console"),
+            migration.PortBinding(name="tx", sourcePin=30, choice=other, pin=pins(p)[0] if other != "console" else None),
+        ]
+    )
+    call = ccode.Call(calleeName="fdserial_open")
+    made.portFlows.extend(migration.PortFlow(name=b.name, bindings=[b], calls=[call]) for b in list(made.portBindings))
+    return made
+
+
 def driven(encoder: str) -> migration.MigrationPlan:
     """A plan with `drive_goto`, whose adapter requires an encoder, and with this choice for the encoder's port."""
     made = a_plan(portBindings=lambda p: [migration.PortBinding(name="left_encoder", sourcePin=14, choice=encoder, open=False)])
@@ -345,6 +358,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
     "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
     "RS726": (lambda: dimmed("Timer1", "Timer2"), lambda: dimmed("Timer1", "Timer1")),
+    "RS733": (lambda: talking("console"), lambda: talking("D1")),
     "RS732": (lambda: moving(2), lambda: moving(4)),
     "RS730": (lambda: driven("D4"), lambda: driven("none")),
     "RS728": (lambda: flowing(True), lambda: flowing(False)),
