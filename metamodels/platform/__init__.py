@@ -1102,6 +1102,8 @@ class Adapter(Element, metaclass=MetaEClass):
     """The same if the program calls it at a single place, so that the compiler inlines it."""
     ramBytes: int = EAttribute(eType=EInt)
     """RAM of its own variables in bytes, without those of its needs and of libraries."""
+    mostServos: int = EAttribute(eType=EInt)
+    """Most servos that get pulses at a time; 0 where the source's library has no more."""
     fidelity: str = EAttribute(eType=EString, default_value="")
     """How faithfully it reproduces the original."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -1160,6 +1162,7 @@ class Adapter(Element, metaclass=MetaEClass):
             stackBytes: int | None = None,
             inlinedStackBytes: int | None = None,
             ramBytes: int | None = None,
+            mostServos: int | None = None,
             fidelity: str | None = None,
             limits: Iterable[str] | None = None,
             includes: Iterable[str] | None = None,

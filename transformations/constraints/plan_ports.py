@@ -21,7 +21,7 @@ from robosmi.transformations.queries.circuits.connector_names import displayed_n
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
-from robosmi.transformations.queries.plans.port_pins import bound_pin, source_name
+from robosmi.transformations.queries.plans.port_pins import CONSOLE, bound_pin, source_name
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.validate import EVL, Fail
@@ -240,6 +240,47 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
         f"'{u.name}' ({quantity(count, 'call')}) reads {names}, "
         f"but {'it is' if len(missing) == 1 else 'they are'} not wired{known}"
     )
+
+
+@bindings.constraint(
+    id="RS732", severity=Severity.warning, guard=lambda b: b.role == SERVO and bound_pin(b) is not None,
+    advice="let a servo board such as a PCA9685 make the pulses of some, or choose a board whose library Servo has more places",
+)  # fmt: skip
+def ServoHasAPlace(b: migration.PortBinding) -> bool | Fail:
+    """The servos on pins are no more than the target makes pulses for; the first one beyond is reported."""
+    plan = plan_of(b)
+    used = [use.adapter for use in plan.adapterUses if use.adapter is not None]
+    most = min((int(piece.mostServos) for piece in closure(used) if piece.mostServos), default=0)
+    before = list(dict.fromkeys(pin for other in _before(b) if (pin := _servo_pin(other)) is not None))
+    pin = _servo_pin(b)
+    if not most or pin is None or pin in before or len(before) != most:
+        return True
+    total = len({each.label for other in plan.portBindings if (each := _servo_pin(other)) is not None})
+    message = f"{total} servos are on pins of the board, which makes pulses for {most} at a time: those that move last get none"
+    return Fail(message, pin=pin.label)
+
+
+def _servo_pin(b: migration.PortBinding) -> platform.Pin | None:
+    """The pin of a port with a servo that gets pulses; None for others, and for motors that stand for servos."""
+    turned = b.role == SERVO and channel_of(b, plan_of(b).motorChannels) is None
+    return bound_pin(b) if turned else None
+
+
+@bindings.constraint(
+    id="RS733", severity=Severity.warning, guard=lambda b: b.choice == CONSOLE,
+    advice="bind the other port to the console, too, or this one to a pin",
+)  # fmt: skip
+def LineIsTheConsoleWhole(b: migration.PortBinding) -> bool | Fail:
+    """A serial line whose one port is the console, which has no pins, does not have its other port on a pin."""
+    flows = plan_of(b).portFlows
+    calls = [call for flow in flows if b in flow.bindings for call in flow.calls]
+    for other in (other for flow in flows if any(call in calls for call in flow.calls) for other in flow.bindings):
+        if (pin := bound_pin(other)) is not None:
+            return Fail(
+                f"the {named(b)} is the console's, and the {named(other)} of the same line is on {pin.label}: "
+                f"the line uses {pin.label} alone, and nothing of it reaches the console", pin=pin.label,
+            )  # fmt: skip
+    return True
 
 
 @worded_bindings.constraint(

@@ -173,6 +173,36 @@ def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
     return made
 
 
+def moving(servos: int) -> migration.MigrationPlan:
+    """A plan with so many servos, each on a pin of its own, on a target that makes pulses for two."""
+    made = a_plan()
+    assert made.target is not None
+    assert made.board is not None
+    adapter = platform.Adapter(name="servo_angle", needs=[platform.Adapter(name="ServoPin", mostServos=2)])
+    made.target.adapters.extend([*adapter.needs, adapter])
+    made.adapterUses.append(migration.AdapterUse(name="servo_angle", adapter=adapter))
+    for number in range(servos):
+        pin = platform.Pin(label=f"D{number + 3}")
+        made.board.pins.append(pin)
+        made.portBindings.append(
+            migration.PortBinding(name=f"n{number}", sourcePin=number, pin=pin, choice=pin.label, role="servo")
+        )
+    return made
+
+
+def talking(other: str) -> migration.MigrationPlan:
+    """A plan with a serial line whose first port is the console and whose second port is there, too, or on a pin."""
+    made = a_plan(
+        portBindings=lambda p: [
+            migration.PortBinding(name="rx", sourcePin=31, choice="console"),
+            migration.PortBinding(name="tx", sourcePin=30, choice=other, pin=pins(p)[0] if other != "console" else None),
+        ]
+    )
+    call = ccode.Call(calleeName="fdserial_open")
+    made.portFlows.extend(migration.PortFlow(name=b.name, bindings=[b], calls=[call]) for b in list(made.portBindings))
+    return made
+
+
 def driven(encoder: str) -> migration.MigrationPlan:
     """A plan with `drive_goto`, whose adapter requires an encoder, and with this choice for the encoder's port."""
     made = a_plan(portBindings=lambda p: [migration.PortBinding(name="left_encoder", sourcePin=14, choice=encoder, open=False)])
@@ -328,6 +358,8 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
     "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
     "RS726": (lambda: dimmed("Timer1", "Timer2"), lambda: dimmed("Timer1", "Timer1")),
+    "RS733": (lambda: talking("console"), lambda: talking("D1")),
+    "RS732": (lambda: moving(2), lambda: moving(4)),
     "RS730": (lambda: driven("D4"), lambda: driven("none")),
     "RS728": (lambda: flowing(True), lambda: flowing(False)),
     "RS729": (lambda: recorded("Servo"), lambda: recorded("DHT")),

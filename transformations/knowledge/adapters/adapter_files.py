@@ -74,6 +74,7 @@ _TEXTS = (
     "stack",
     "interrupt",
     "ram",
+    "servos",
     "range",
 )
 _CONDITIONAL = ("setup", "fidelity", "limit", "range", "include")
@@ -251,6 +252,10 @@ def _take(piece: AdapterPiece, marker: _Marker) -> None:
         if not value.isdecimal():
             raise _wrong(place, f"'{value}' is not a number of bytes", "write: ram: BYTES")
         piece.ram = int(value)
+    elif key == "servos":
+        if not value.isdecimal() or not int(value):
+            raise _wrong(place, f"'{value}' is not a number of servos", "write: servos: MOST")
+        piece.servos = int(value)
     elif key == "stack":
         if (sizes := _STACK.fullmatch(value)) is None:
             raise _wrong(

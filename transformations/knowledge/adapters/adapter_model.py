@@ -31,6 +31,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
         stackBytes=piece.stack,
         inlinedStackBytes=piece.stack_once,
         ramBytes=piece.ram,
+        mostServos=piece.servos,
         source="/".join(piece.location.path.replace("\\", "/").split("/")[-3:]),
         pins=[
             platform.AdapterPin(

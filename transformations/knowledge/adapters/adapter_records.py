@@ -135,6 +135,7 @@ class AdapterPiece(Struct):
         stack_once: the same if the program calls it at a single place, so that the compiler inlines it.
         interrupts: measured stack of the interrupts that occur once it has been called.
         ram: bytes of data memory of its own variables.
+        servos: most servos that get pulses at a time; 0 where the source's library has no more.
     """
 
     kind: str
@@ -169,6 +170,7 @@ class AdapterPiece(Struct):
     stack_once: int = -1
     interrupts: list[InterruptStack] = []
     ram: int = 0
+    servos: int = 0
 
 
 class AdapterFile(Struct):

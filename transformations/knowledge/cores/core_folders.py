@@ -13,6 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
+from robosmi.base.data_tables import DataTable, find_files
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError, UsageError, did_you_mean
 from robosmi.resources import built_in
@@ -175,7 +176,19 @@ def find_core(name: BoardName) -> ArduinoCore:
 
 def how_to_install(name: BoardName) -> str:
     """What the user does who has not the core of a board."""
-    return f"install it: arduino-cli core install {name.vendor}:{name.architecture}, or let {ENV} name its folder"
+    return f"install it: {install_command(name.vendor, name.architecture)}, or let {ENV} name its folder"
+
+
+def install_command(vendor: str, architecture: str) -> str:
+    """The command of Arduino CLI that installs a core, with the index that lists it where that is not Arduino's own."""
+    core = f"{vendor}:{architecture}"
+    url = next((url for path in find_files("*/platform.toml") if (url := _index_url(path, core))), "")
+    return f"arduino-cli core install {core}{f' --additional-urls {url}' if url else ''}"
+
+
+def _index_url(path: Path, core: str) -> str:
+    """The address of a core's index in a platform's data; empty if it has none."""
+    return DataTable.read(path).table("cores", needed=False).table(core, needed=False).text("index_url", "")
 
 
 def installed_cores(architecture: str) -> list[ArduinoCore]:

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, PlatformDataError
-from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, build_properties
+from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, build_properties, install_command
 from robosmi.transformations.knowledge.cores.core_properties import SYSTEM, expand, split, unknown_names
 from robosmi.verify.toolchains.recipes import Command
 from robosmi.verify.toolchains.toolchain_data import Toolchain
@@ -103,7 +103,7 @@ class CoreRecipes:
         return [self._found(program), *words] if program else []
 
     def _missing(self, tool: str) -> MissingToolError:
-        own = f"install the core's tools: arduino-cli core install {self._core.vendor or 'VENDOR'}:{self._core.architecture}"
+        own = f"install the core's tools: {install_command(self._core.vendor or 'VENDOR', self._core.architecture)}"
         return MissingToolError(
             f"'{tool}', which the core {self.core_title} is built with, is not installed",
             fix=self._properties.get("stand_in.install", own),

@@ -303,6 +303,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 //#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 //#   limit rp2040: 8 servos at a time instead of 14
+//#   limit other: 8 servos at a time instead of 14
 //#   limit avr: widths from 40 to 2,900 us
 //#   limit rp2040: widths from 200 to 2,900 us
 //#   range avr: time 40..2900 or 0: the pulse is made 40 or 2,900 us long

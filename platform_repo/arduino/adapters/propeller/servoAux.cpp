@@ -10,6 +10,7 @@
 //#   fidelity: as servo_set: widths within 1 us; the pin at the first call, 1 later, -3 without a free place, as there
 //#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 //#   limit rp2040: 8 servos at a time instead of 14
+//#   limit other: 8 servos at a time instead of 14
 //#   stack: 38 22
 //#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servoAux_set(int32_t pin, int32_t time) {

@@ -315,6 +315,7 @@ inline void count_frames() { add_background(frame_is_due); }
 // ---------------------------------------------------------------- servos
 
 //# helper ServoPin
+//#   servos: 8
 //#   include: <Servo.h>
 //#   library: Servo
 //#   fidelity: the pulses are those of the library Servo of the core: 544 to 2400 us are exact, shorter and longer ones as far as it goes
@@ -335,6 +336,7 @@ struct ServoPin {
 
 //# helper ServoPin
 //#   architecture: esp32
+//#   servos: 8
 //#   include: <ESP32Servo.h>
 //#   library: ESP32Servo
 //#   fidelity: the pulses are those of the library ESP32Servo

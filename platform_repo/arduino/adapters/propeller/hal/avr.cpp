@@ -378,6 +378,7 @@ inline void count_periods() {
 // ---------------------------------------------------------------- servos
 
 //# helper servo_timer
+//#   servos: 12
 //#   include: <Servo.h>
 //#   library: Servo
 //#   timer: Timer1

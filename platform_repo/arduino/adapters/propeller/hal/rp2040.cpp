@@ -233,6 +233,7 @@ inline void count_frames() {
 // ---------------------------------------------------------------- servos
 
 //# helper ServoPin
+//#   servos: 8
 //#   include: <Servo.h>
 //#   library: Servo
 //#   fidelity: Servo.h makes pulses for at most 8 servos, none shorter than 200 us
