@@ -196,6 +196,16 @@ def test_calls_through_a_table_of_own_and_platform_functions_are_not_ready(tmp_p
     assert written(Work(made.models.plan)) != "nothing"
 
 
+def test_a_function_is_called_where_a_macro_has_its_name() -> None:
+    models = plan_of("macros_named_as_functions/robot.c", {"P3": "D9", "P4": "D7", "P5": "D2"})
+    text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))
+    driven = [re.sub(r"port\((\d)\)", lambda m: {"3": "9", "4": "7", "5": "2"}[m[1]], line.strip()) for line in text.splitlines()]
+    for line in ("high(9);", "if (input(7)) toggle(9);", "toggle(2);"):
+        assert line in driven
+    assert [f.message for f in fired(models)] == []
+    assert calls_ready(models.plan)
+
+
 def test_an_index_that_stands_before_its_array_is_followed() -> None:
     models = plan_of("indexes/q.c", {"P3": "D9", "P4": "D7", "P5": "D2", "P6": "D4"}, project=False)
     assert [b.sourcePin for b in models.plan.portBindings] == [3, 4, 5, 6]

@@ -128,8 +128,12 @@ class CodeView:
         return self.api.kind_of(entry) if entry else None
 
     def defined(self, name: str) -> bool:
-        """Whether the program itself defines a function or macro of that name."""
-        return name in self.own_macros or name in self._defined
+        """Whether the program itself defines a function of that name.
+
+        A macro of the name does not count: a call or a use in the model is what macros have made of the text, so that it means
+        the function, as in `#define high(p) high(p)` or behind `#undef high`.
+        """
+        return name in self._defined
 
     @cached_property
     def _defined(self) -> set[str]:
@@ -157,7 +161,7 @@ class CodeView:
             found: dict[str, CalledFunction] = {}
             for call in self.calls:
                 name, callee = str(call.calleeName or ""), call.callee
-                if not name or name in self.own_macros or (callee is not None and (callee.definition or callee.pure)):
+                if not name or (callee is not None and (callee.definition or callee.pure)):
                     continue
                 found.setdefault(name, CalledFunction(name, callee=callee)).calls.append(call)
             for name in self._called_in_macros():
@@ -184,7 +188,7 @@ class CodeView:
         for macro in self.own_macros.values():
             parameters = set(macro.parameters)
             for name in _CALLED.findall(_LITERALS.sub(" ", str(macro.body or ""))):
-                if name not in own and name not in self.own_macros and name not in parameters:
+                if name not in own and name not in parameters and (name == macro.name or name not in self.own_macros):
                     entry = self.resolve(name)
                     if entry is not None and entry.callable:
                         yield name

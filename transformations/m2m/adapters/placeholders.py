@@ -139,7 +139,7 @@ def implied_headers(views: Iterable[CodeView], target: TargetFacts, names: Targe
     missing: set[str] = set()
     for view in views:
         outside = (e for e in view.of_kind(ccode.NameReference) if e.target is None or isinstance(e.target, ccode.ExternalSymbol))
-        used = {str(e.name) for e in outside} | {str(e.name) for e in view.of_kind(ccode.MacroUse)}
+        used = {str(e.name) for e in outside} | {str(e.name) for e in view.of_kind(ccode.MacroUse) if e.macro is None}
         used |= set(view.called()) | {t.declaration.name for t in view.of_kind(ccode.TypeUse) if t.declaration is not None}
         for name in used - there:
             entry = view.resolve(name)

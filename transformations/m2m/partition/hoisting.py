@@ -93,7 +93,9 @@ def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacemen
         name = name_place(variable, data)
         if variable in moved.assigned and variable.initializer is not None:
             value = data.rfind(b"=", name, int(variable.initializer.startOffset))
-            yield Replacement(len(data[:value].rstrip()), _value_end(variable.initializer, value, data), "")
+            end = _value_end(variable.initializer, value, data)
+            # with the byte behind, so that a `)` that a cast inserts at the end goes, too
+            yield Replacement(len(data[:value].rstrip()), end + 1, data[end : end + 1].decode())
             star = data.rfind(b"*", before, name)
             if star >= 0:
                 yield from (Replacement(*m.span(), "") for m in _CONST.finditer(data, star, name))

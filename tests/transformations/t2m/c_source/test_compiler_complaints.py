@@ -51,7 +51,7 @@ void loop() { PORTB |= _BV(3); Stream &line = Serial; Print &out = Serial; Kind 
     assert compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h")) == []
 
 
-def test_pointers_and_references_to_what_stands_for_a_register_are_told() -> None:
+def test_pointers_and_references_to_what_stands_for_a_register_and_a_parenthesis_too_many_are_told() -> None:
     sketch = b"""#define PLACE(name) &name
 struct Register { operator int() const; void operator&() const = delete; };
 const Register OUTPUTS = {};
@@ -61,10 +61,11 @@ void setup() {
   volatile int &same = OUTPUTS;
   auto &itself = OUTPUTS;
 }
+int *p) ;
 void loop() { PLACE(OUTPUTS; }
 """
     lines = [each.line for each in compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h"))]
-    assert lines == [5, 6, 7, 10]
+    assert lines == [5, 6, 7, 10, 11]
 
 
 def test_a_function_that_the_program_defines_below_its_use_is_told() -> None:

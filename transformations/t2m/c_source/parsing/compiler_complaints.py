@@ -35,6 +35,7 @@ _SURE = re.compile(
     |called\ object\ type\ {_NAMED}\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
     |.*\ (?:is|are)\ (?:a\ )?C\+\+17\ extensions?
     |conversion\ from\ {_NAMED}\ to\ {_NAMED}\ is\ not\ allowed
+    |extraneous\ (?:'\)'|closing\ brace)
     |overload\ resolution\ selected\ deleted\ operator|unterminated\ function-like\ macro\ invocation
     |(?:non-const|volatile)\ lvalue\ reference\ to\ type\ {_NAMED}\ cannot\ bind\ to\ a\ value\ of\ unrelated\ type""",
     re.VERBOSE,
