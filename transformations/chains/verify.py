@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from robosmi.base.progress_events import announce, remark
 from robosmi.base.quantities import quantity
 from robosmi.base.trust import acting
-from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import SOURCE, read_once, read_text
