@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import secrets
 import socket
+import time
 from collections.abc import Mapping
+from contextlib import suppress
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
@@ -25,6 +27,8 @@ LONGEST = 20
 """Limit on the digits of a request's content length, since Python converts only a few thousand."""
 PATIENCE = 10.0
 """Seconds that a connection may take to send its request."""
+MOST_WAITING = 64
+"""Limit on the connections whose request is not complete; beyond it the oldest of them end."""
 ACTIONS, WATCH = ("choose", "undo", "tick", "accept"), "watch"
 """What a page may ask for: the actions on what it shows, and a run of it."""
 _POLICY = (
@@ -63,11 +67,12 @@ class PageServer(ThreadingHTTPServer):
         UsageError: the port is in use, or may not be used.
     """
 
-    daemon_threads = True
+    daemon_threads, request_queue_size = True, 2 * MOST_WAITING
     allow_reuse_address = True
 
     def __init__(self, content: Content, port: int = 0) -> None:
         self.content, self.token, self.turn = content, secrets.token_urlsafe(24), Lock()
+        self._waiting, self._counted = dict[socket.socket, float](), Lock()
         if not 0 <= port <= 65535:
             raise UsageError(f"{port} is not a port", fix="give --port 1024 to 65535, or omit it to use any free port")
         try:
@@ -90,6 +95,36 @@ class PageServer(ThreadingHTTPServer):
         """How a request may call this host."""
         return frozenset(f"{name}:{self.server_address[1]}" for name in (HOST, "localhost"))
 
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Serve a connection in a thread of its own."""
+        self.wait_for(request)
+        super().process_request(request, client_address)
+
+    def wait_for(self, connection: socket.socket) -> None:
+        """A connection may send its next request."""
+        with self._counted:
+            self._waiting[connection] = time.monotonic() + PATIENCE
+
+    def have(self, connection: socket.socket) -> None:
+        """A connection has sent its request, or has ended."""
+        with self._counted:
+            self._waiting.pop(connection, None)
+
+    def service_actions(self) -> None:
+        """End the connections that take too long, even if every single byte comes soon, and the oldest of too many."""
+        with self._counted:
+            waiting = sorted(self._waiting.items(), key=lambda each: each[1])
+            for number, (connection, until) in enumerate(waiting, MOST_WAITING - len(waiting)):
+                if number < 0 or until < time.monotonic():
+                    del self._waiting[connection]
+                    with suppress(OSError):  # it has just ended by itself
+                        connection.shutdown(socket.SHUT_RDWR)
+
+    def shutdown_request(self, request: Any) -> None:
+        """End a connection."""
+        self.have(request)
+        super().shutdown_request(request)
+
     def handle_error(self, request: Any, client_address: Any) -> None:
         """A browser that goes away in the middle of an answer is no error."""
 
@@ -109,8 +144,14 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = PATIENCE
     server_version, sys_version = "robosmi", ""
 
+    def handle_one_request(self) -> None:
+        """Read a request, and answer it."""
+        self.server.wait_for(self.connection)
+        super().handle_one_request()
+
     def do_GET(self) -> None:
         """The page, or its state."""
+        self.server.have(self.connection)
         path = self._path()
         if path == "":
             nonce = secrets.token_urlsafe(16)
@@ -142,6 +183,7 @@ class _Handler(BaseHTTPRequestHandler):
                 about = json_of(self.rfile.read(int(length)))
             except (ValueError, RecursionError):
                 about = None
+            self.server.have(self.connection)
             if not isinstance(about, dict) or path not in (*ACTIONS, WATCH):
                 self._json(HTTPStatus.BAD_REQUEST, _refused("the request is malformed"))
                 return

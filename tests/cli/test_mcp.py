@@ -11,6 +11,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Awaitable, Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from robosmi.cli import landlock, seccomp
 from robosmi.cli.mcp_commands import Commands
 from robosmi.cli.mcp_tools import Tools, answer_to, make_server
 from robosmi.cli.root_folder import RootFolder
+from robosmi.cli.supervised import GRACE_S
 from robosmi.errors import SourceError, UsageError
 from tests.running import check_document, run
 from tests.tools import require_engine, require_tools
@@ -515,6 +517,40 @@ def test_what_detaches_ends_with_its_command(asked: bool) -> None:
             process.terminate()
         assert process.wait(30) == (128 + signal.SIGTERM if asked else 7)
         assert not is_running(detached)
+
+
+CHAIN = """
+import os, sys, time
+from robosmi.cli.supervised import supervised
+
+def work():
+    if os.fork() == 0:
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            if sys.argv[1] == "leaves":
+                os.setsid()
+            if os.fork():
+                os._exit(0)
+        os._exit(0)
+    return 7
+
+sys.exit(supervised(work))
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Linux knows reapers")
+@pytest.mark.parametrize("group", ["stays", "leaves"])
+def test_a_chain_of_processes_that_each_start_the_next_ends_with_its_command(group: str) -> None:
+    words = [sys.executable, "-c", CHAIN, group]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, cwd=Path(__file__).parents[2]) as process:
+        assert process.stdout is not None
+        try:
+            assert process.wait(GRACE_S) == 7
+        finally:
+            process.kill()
+        began = time.monotonic()
+        assert process.stdout.read() == b""  # until the last that holds it has ended
+        assert time.monotonic() - began < 1
 
 
 WRITES_DATA = """

@@ -15,6 +15,7 @@ import pytest
 import robosmi
 from robosmi.transformations.chains.stages.output import Generated
 from robosmi.transformations.chains.verify import verify
+from robosmi.transformations.chains.watch import WatchedFolder
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import FILE
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
@@ -247,13 +248,20 @@ def test_a_plan_outside_of_the_folder_is_not_read(command: str, linked: str, out
     assert "the plan is outside the output folder" in outcome.err
 
 
-def test_scenarios_outside_of_the_folder_are_neither_read_nor_written(out: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("linked", ["scenarios", "scenarios/one.toml"])
+def test_scenarios_outside_of_the_folder_are_neither_read_nor_written(linked: str, out: Path, tmp_path: Path) -> None:
     (tmp_path / "away").mkdir()
-    (out / "models" / "scenarios").symlink_to(tmp_path / "away")
+    (tmp_path / "away" / "one.toml").write_text("horizon_ms = 100\n")
+    before, place = tree(tmp_path / "away"), out / "models" / linked
+    place.parent.mkdir(exist_ok=True)
+    place.symlink_to(tmp_path / "away" / linked.partition("/")[2])
     outcome = run("verify", out)
     assert outcome.code == 3
-    assert "the scenarios are outside the output folder" in outcome.err
-    assert list((tmp_path / "away").iterdir()) == []
+    assert "behind a link" in outcome.err
+    answers = [WatchedFolder(out).answer(about) for about in ({"list": True}, {"scenario": "one", "ms": 100})]
+    assert [answer["state"] for answer in answers] == ["refused", "refused"]
+    assert "'models/scenarios" in answers[0]["message"]
+    assert tree(tmp_path / "away") == before
 
 
 @pytest.mark.parametrize(

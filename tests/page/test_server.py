@@ -7,6 +7,8 @@ import json
 import os
 import re
 import shutil
+import socket
+import time
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from threading import Thread
@@ -16,7 +18,8 @@ import pytest
 
 import robosmi
 from robosmi.errors import UsageError
-from robosmi.report.page_server import MOST, PageServer
+from robosmi.report import page_server
+from robosmi.report.page_server import MOST, MOST_WAITING, PageServer
 from robosmi.transformations.chains.page import PlanPage, changed
 from tests.running import run, tree
 
@@ -140,6 +143,33 @@ def test_what_cannot_be_chosen_is_refused_with_a_reason(about: dict[str, Any], s
 @pytest.mark.parametrize("method", ["PUT", "DELETE", "OPTIONS", "PATCH"])
 def test_there_are_no_other_methods(method: str, server: PageServer) -> None:
     assert asked(server, f"/{server.token}/", method=method)[0] == 501
+
+
+def test_connections_that_send_nothing_do_not_pile_up(server: PageServer) -> None:
+    idle = [socket.create_connection(server.server_address[:2], timeout=5) for _ in range(MOST_WAITING + 8)]
+    assert [each.recv(1) for each in idle[:8]] == [b""] * 8
+    assert asked(server, f"/{server.token}/state")[0] == 200
+    for each in idle:
+        each.close()
+
+
+@pytest.mark.parametrize("method", ["GET", "POST"])
+def test_a_request_that_comes_byte_by_byte_is_ended(method: str, server: PageServer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(page_server, "PATIENCE", 0.1)
+    host = server.url.split("/")[2]
+    head = f"{method} /{server.token}/undo HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\n"
+    body = "Content-Type: application/json\r\nContent-Length: 9000\r\n\r\n" if method == "POST" else "X: "
+    slow = socket.create_connection(server.server_address[:2], timeout=20)
+    slow.sendall((head + body).encode())
+    end, ended = time.monotonic() + 5, False
+    while not ended and time.monotonic() < end:
+        time.sleep(0.01)
+        try:
+            slow.sendall(b"x")
+        except OSError:
+            ended = True
+    slow.close()
+    assert ended
 
 
 def test_a_choice_changes_the_folder_and_the_project_file_and_nothing_else(server: PageServer, out: Path) -> None:

@@ -17,14 +17,15 @@ from msgspec.structs import replace
 from robosmi.base.progress_events import announce, remark
 from robosmi.base.quantities import quantity
 from robosmi.base.trust import acting
-from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, SourceError, VerificationError
+from robosmi.generate.output_paths import Places
 from robosmi.inputs import SOURCE, read_once, read_text
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.generate import generate as generate_again
 from robosmi.transformations.chains.simulate import adjacent_plan
 from robosmi.transformations.chains.stages.edited_plan import STORED
-from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
+from robosmi.transformations.chains.stages.models import FOLDER as MODELS, MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
@@ -193,15 +194,11 @@ def _compared(
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
-    if not (plan_file.parent / FOLDER).resolve().is_relative_to(plan_file.parent.parent.resolve()):
-        raise SourceError(
-            "the scenarios are outside the output folder, behind a link", location=Location(str(plan_file.parent / FOLDER)),
-            fix="copy them into the folder",
-        )  # fmt: skip
+    stored_scenarios(plan_file.parent.parent)  # before anything is compiled
     ports = bound_ports(plan, plan_file.parent)
     given = [read_scenario(path) for path in scenarios]
     for scenario in given:
-        signals_of(ports, scenario)  # before anything is compiled
+        signals_of(ports, scenario)
     with temporary_folder("verify") as place:
         folder = Path(place)
         (folder / "target").mkdir()
@@ -254,7 +251,7 @@ def _compared(
         if program.is_store_comparable({port.source for port in ports}):
             program = program.with_store_bytes(side.store_bytes)
         verdict.functions |= {EEPROM_CHANNEL: tuple(sorted(called & program.stores))}
-        cases, made = _cases(program, ports, models, given, plan_file.parent / FOLDER, seed, verdict, limits)
+        cases, made = _cases(program, ports, models, given, plan_file.parent.parent, seed, verdict, limits)
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
         announce(f"run the migrated program in {quantity(len(cases), 'test case')}")
@@ -417,6 +414,16 @@ def _compiled_with_stubs(output: Path, place: Path, names: set[str]) -> CompileR
     return report
 
 
+def stored_scenarios(output: Path) -> list[Path]:
+    """The files of the scenarios that an output folder has, in the order of their names.
+
+    Raises:
+        SourceError: one of them is outside of the folder, behind a link.
+    """
+    Places(output).check_inside(f"{MODELS}/{FOLDER}")
+    return sorted((output / MODELS / FOLDER).glob("*.toml"))
+
+
 class _Made(Struct):
     new: list[Scenario] = []
     racy_counts: list[bytes] = []
@@ -425,11 +432,11 @@ class _Made(Struct):
 
 
 def _cases(
-    program: Original, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], stored: Path,
+    program: Original, ports: list[BoundPort], models: MigrationModels, given: list[Scenario], output: Path,
     seed: int | None, verdict: Verdict, limits: _Limits,
 ) -> tuple[list[Case], _Made]:  # fmt: skip
     """The scenarios with their runs of the source: only the given ones, or else the stored and generated ones."""
-    listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
+    listed = given or [read_scenario(path, "stored") for path in stored_scenarios(output)]
     cases: list[Case] = []
     for number, scenario in enumerate(listed, 1):
         announce(f"run the original in test case {number} of {len(listed)} repeatedly")
@@ -443,7 +450,7 @@ def _cases(
     steps = most_steps(plan.program)
     texts, numbers, types = texts_understood(plan), numbers_understood(plan), reads_console(plan)
     digest = search_digest(program, stored_sources(models), ports, texts, types, seed, limits, steps, numbers)
-    if (ended := stored_search(stored, digest, program)) is not None:
+    if (ended := stored_search(output / MODELS / FOLDER, digest, program)) is not None:
         verdict.racy, made.racy_counts, verdict.search = ended.racy, ended.racy_counts, ended.told
         return cases, made
     known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))

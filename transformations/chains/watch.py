@@ -26,11 +26,13 @@ from robosmi.files.recovery import at_work
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.stages.models import FOLDER, stored_models
 from robosmi.transformations.chains.verify import (
+    FOLDER as SCENARIOS,
     board_of,
     sketch_files,
     sketch_texts,
     source_mv,
     stored_original,
+    stored_scenarios,
     stored_sources,
 )
 from robosmi.transformations.queries.circuits.component_kinds import known_roles
@@ -51,8 +53,6 @@ from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.traces.activity import BURST, IDLE, LEVEL, PULSES, WAVE, ActivityEvent
 
-SCENARIOS = "scenarios"
-"""The folder of stored scenarios, beside the models."""
 LONGEST_MS = 60_000.0
 """The longest run that is watched: each further input simulates all of it again."""
 SHORTEST_MS = 100.0
@@ -119,6 +119,14 @@ class WatchedFolder:
         Returns:
             `state` (done, refused or superseded) with a `message`, and of a run what `_shown` says.
         """
+        try:
+            return self._answer(about)
+        except RobosmiError as error:
+            place = f" (in {error.location})" if error.location is not None else ""
+            advice = f" What to do: {error.fix}." if error.fix else ""
+            return {"state": "refused", "message": f"Not done: {error.message}{place}.{advice}"}
+
+    def _answer(self, about: Mapping[str, Json]) -> dict[str, Any]:
         if about.get("list") is True:
             return {"state": "done", "cases": self.cases()}
         tab, number = str(about.get("tab", ""))[:_LONGEST_NAME], about.get("number")
@@ -127,20 +135,15 @@ class WatchedFolder:
         with self._turn:
             if isinstance(number, int) and number < self._latest[tab]:
                 return {"state": "superseded", "message": "Another input was moved meanwhile."}
-            try:
-                scenario = self._scenario(about)
-                if name := str(about.get("save", "")):
-                    path = self._store(scenario, name)
-                    return {"state": "done", "message": f"Saved {path}. verify uses it, too.", "cases": self.cases()}
-                return {"state": "done", **self._run(scenario, compare=about.get("compare") is True)}
-            except RobosmiError as error:
-                place = f" (in {error.location})" if error.location is not None else ""
-                advice = f" What to do: {error.fix}." if error.fix else ""
-                return {"state": "refused", "message": f"Not done: {error.message}{place}.{advice}"}
+            scenario = self._scenario(about)
+            if name := str(about.get("save", "")):
+                path = self._store(scenario, name)
+                return {"state": "done", "message": f"Saved {path}. verify uses it, too.", "cases": self.cases()}
+            return {"state": "done", **self._run(scenario, compare=about.get("compare") is True)}
 
     def cases(self) -> list[str]:
         """The names of the stored test cases."""
-        return sorted(path.stem for path in (self.output / FOLDER / SCENARIOS).glob("*.toml"))
+        return [path.stem for path in stored_scenarios(self.output)]
 
     # ---- what is asked
 
