@@ -139,7 +139,7 @@ class Classes:
 
 
 def held_type(use: ccode.TypeUse | None) -> str:
-    """The name of the type of a member that is made with its object; empty for a pointer or reference, which only gets a value."""
+    """The name of the type of a member that is made with its object; empty for a pointer or reference."""
     apart = use is None or bool(use.pointerDepth) or "&" in str(use.spelling) or "*" in str(use.spelling)
     return "" if apart else type_name(use)
 
