@@ -128,6 +128,7 @@ class Numbers:
         macros: name of an object-like macro of the program -> its text.
         aliases: type of the platform's headers -> the type of the language that it is.
         of_operands: macros of the platform whose result has the common type of their arguments.
+        holders: what an expression names (`DeclaredUses`), for members of the object that a method is called for.
     """
 
     def __init__(
@@ -138,8 +139,10 @@ class Numbers:
         macros: Mapping[str, str],
         aliases: Mapping[str, str] = MappingProxyType({}),
         of_operands: Collection[str] = (),
+        holders: Callable[[ccode.Expression], Sequence[ccode.Variable | ccode.Parameter | ccode.Field]] | None = None,
     ) -> None:
         self.machine = machine
+        self._holders = holders
         self._of_operands = of_operands
         self._aliases = aliases
         self.macros = macros
@@ -183,6 +186,13 @@ class Numbers:
         for other in others:
             found = self.machine.common(found, other) if found is not None and other is not None else None
         return found
+
+    def _member(self, member: ccode.Member) -> Number | None:
+        kind = type_of(member, self.functions)
+        if kind is not None or member.object is not None or self._holders is None:
+            return self.typed(kind)
+        found = {self.typed(of_use(field.valueType)) for field in self._holders(member)}
+        return found.pop() if len(found) == 1 else None
 
     def _assigned(self, assignment: ccode.Assignment) -> Number | None:
         return self._given(assignment.left)
@@ -284,5 +294,6 @@ _RULES: dict[str, Callable[[Numbers, Any], Number | None]] = {
     "Unary": Numbers._unary,
     "Assignment": Numbers._assigned,
     "ConditionalExpression": Numbers._conditional,
+    "Member": Numbers._member,
     "NameReference": Numbers._name,
 }

@@ -90,7 +90,9 @@ def _given_to_macros(view: CodeView, values: WrappedValues) -> set[int]:
     found: set[int] = set()
     for call in view.of_kind(ccode.Call):
         if not call.viaMacro and values.joins_operands(call):
-            around = [use for use in view.unit.macroUses if use.startOffset <= call.startOffset and call.endOffset <= use.endOffset]
+            around = [
+                use for use in view.unit.macroUses if use.startOffset <= call.startOffset and call.endOffset <= use.endOffset
+            ]
             if all(str(use.name) in values.of_operands for use in around):
                 own = [e for e in all_contents(call) if isinstance(e, ccode.Located)]
                 uses = [u for u in view.unit.macroUses if call.startOffset < u.startOffset and u.endOffset <= call.endOffset]

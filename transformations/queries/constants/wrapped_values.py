@@ -67,7 +67,7 @@ class WrappedValues:
         }
         macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
         values = self.views[0].values
-        numbers = Numbers(self.here, functions, {}, macros, self._aliases, self.of_operands)
+        numbers = Numbers(self.here, functions, {}, macros, self._aliases, self.of_operands, self.uses.holders)
         return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping, self.uses)
 
     @cached_property
@@ -343,7 +343,11 @@ class WrappedValues:
             return not found.within(number.least, number.most)
         if isinstance(expression, ccode.Binary) and expression.operator == "<<" and self._joins(expression, number):
             return True
-        if isinstance(expression, ccode.Binary) and expression.operator in ("+", "-", "*") and any(map(self._takes_all, operands)):
+        if (
+            isinstance(expression, ccode.Binary)
+            and expression.operator in ("+", "-", "*")
+            and any(map(self._takes_all, operands))
+        ):
             return True
         return any(
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
@@ -415,8 +419,12 @@ class WrappedValues:
             return kind is not None and not kind.real and kind.bits <= self.here.int_bits
         if isinstance(expression, ccode.IntegerLiteral) or self._is_macro(expression):  # 0x8000 has no sign here, and one there
             of, found = self.number(expression), self._ranges.of(expression)
-            return of is not None and not of.signed and found is not None and found.high > self.here.integer.most and not (
-                isinstance(expression, ccode.IntegerLiteral) and "u" in str(expression.text).lower()
+            return (
+                of is not None
+                and not of.signed
+                and found is not None
+                and found.high > self.here.integer.most
+                and not (isinstance(expression, ccode.IntegerLiteral) and "u" in str(expression.text).lower())
             )
         holders = self.uses.holders(_object(expression))
         return bool(holders) and all(map(self._cuts, holders))
