@@ -86,7 +86,7 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
 
 
 def _given_to_macros(view: CodeView, values: WrappedValues) -> set[int]:
-    """The macros of the platform like `abs` that the text itself uses, and all within their arguments, by `id`: they may be cut."""
+    """The uses in the text of macros of the platform like `abs`, and what is in their arguments, by `id`: they may be cut."""
     found: set[int] = set()
     for call in view.of_kind(ccode.Call):
         if not call.viaMacro and values.joins_operands(call):

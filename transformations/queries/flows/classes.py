@@ -48,7 +48,7 @@ class Classes:
         """The classes of which the text makes objects with arguments."""
         made = {str(call.className) for view in self._views for call in view.of_kind(ccode.ConstructorCall)}
         initials = (initial for view in self._views for initial in view.of_kind(ccode.MemberInitializer))
-        fields = {str(field.name): held_type(field.valueType) for view in self._views for field in view.of_kind(ccode.Field)}
+        fields = {str(field.name): member_type(field.valueType) for view in self._views for field in view.of_kind(ccode.Field)}
         return frozenset(made | {fields.get(str(initial.name), str(initial.name)) for initial in initials})
 
     @cached_property
@@ -138,7 +138,7 @@ class Classes:
         return self._records.get(match[1]) if match is not None else None
 
 
-def held_type(use: ccode.TypeUse | None) -> str:
+def member_type(use: ccode.TypeUse | None) -> str:
     """The name of the type of a member that is made with its object; empty for a pointer or reference."""
     apart = use is None or bool(use.pointerDepth) or "&" in str(use.spelling) or "*" in str(use.spelling)
     return "" if apart else type_name(use)
