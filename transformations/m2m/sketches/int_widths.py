@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.sketches.argument_values import stored_values, 
 from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, is_written
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import as_characters, negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
