@@ -1,4 +1,4 @@
-/* A cog runs a pump until main ends it; main never drives its pin. */
+/* A cog runs two pumps, one by registers, until main ends it; main never drives their pins. */
 #include "simpletools.h"
 
 int *cog;
@@ -6,6 +6,8 @@ int *cog;
 void pump(void *par)
 {
   high(4);
+  DIRA |= 1 << 5;
+  OUTA |= 1 << 5;
   while(1) pause(10);
 }
 

@@ -141,12 +141,14 @@ struct PortRegister {
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
   const PortRegister &change(uint32_t mask, uint32_t value, bool flips = false) const {
+    bool each = mask != ~0UL;  // else the value may hold what was read, which other cogs drive
     for (uint8_t first = 0; mask; first += 8, mask >>= 8, value >>= 8) {
       uint8_t number = first, levels = value;
       for (uint8_t rest = mask; rest; rest >>= 1, levels >>= 1, number++) {
         if (!(rest & 1)) continue;
         Io io(port(number));
         bool before = directions ? io.driven() : io.latch(), level = flips ? !before : levels & 1;
+        if (directions && level && each && io.wired()) io.own(true);  // it may rest as an output since setup
         if (level == before) continue;
         if (directions) io.drive(level);
         else io.set(level);
@@ -454,7 +456,7 @@ inline void cog_main() {
 }
 
 //# helper cog_begin
-//#   needs: cog_table cogs_running cog_main cog_pins COG_SLOTS hal/cog_frame
+//#   needs: cog_table cogs_running cog_main COG_SLOTS hal/cog_frame
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
@@ -493,7 +495,7 @@ inline uint16_t cog_stack_used(uint8_t number) {
 //#   needs: cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
-//#   stack: 32 16
+//#   stack: 14 2
 inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
   (void)stack;
   (void)stacksize;
