@@ -8,10 +8,10 @@ expression whose type the model does not tell has none. Ranges of values are com
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeGuard
 
 from msgspec import Struct
 
@@ -127,6 +127,8 @@ class Numbers:
         symbols: name that the program does not declare -> its type on the machine.
         macros: name of an object-like macro of the program -> its text.
         aliases: type of the platform's headers -> the type of the language that it is.
+        of_operands: macros of the platform whose result has the common type of their arguments.
+        holders: what an expression names (`DeclaredUses`), for members of the object that a method is called for.
     """
 
     def __init__(
@@ -136,8 +138,12 @@ class Numbers:
         symbols: Mapping[str, str],
         macros: Mapping[str, str],
         aliases: Mapping[str, str] = MappingProxyType({}),
+        of_operands: Collection[str] = (),
+        holders: Callable[[ccode.Expression], Sequence[ccode.Variable | ccode.Parameter | ccode.Field]] | None = None,
     ) -> None:
         self.machine = machine
+        self._holders = holders
+        self._of_operands = of_operands
         self._aliases = aliases
         self.macros = macros
         self.functions = functions
@@ -149,7 +155,7 @@ class Numbers:
         pending = [expression]
         while pending:  # operands first; no recursion, for expressions nest
             one = pending[-1]
-            missing = [x for x in _operands(one) if x is not None and id(x) not in self._known]
+            missing = [x for x in self._operands(one) if x is not None and id(x) not in self._known]
             if missing:
                 pending += missing
                 continue
@@ -161,6 +167,32 @@ class Numbers:
     def _rule(self, expression: ccode.Expression | None) -> Number | None:
         rule = _RULES.get(type(expression).__name__)
         return rule(self, expression) if rule is not None else self.typed(type_of(expression, self.functions))
+
+    def joins_operands(self, expression: ccode.Expression | None) -> TypeGuard[ccode.Call]:
+        """Whether an expression is the use of a macro of the platform whose result has the common type of its arguments."""
+        if not isinstance(expression, ccode.Call) or str(expression.calleeName) not in self._of_operands:
+            return False
+        member = isinstance(expression.calleeExpression, ccode.Member)
+        return not member and bool(expression.arguments) and (expression.callee is None or not expression.callee.definition)
+
+    def _operands(self, expression: ccode.Expression | None) -> Sequence[ccode.Expression | None]:
+        return list(expression.arguments) if self.joins_operands(expression) else _operands(expression)
+
+    def _called(self, call: ccode.Call) -> Number | None:
+        if not self.joins_operands(call):
+            return self.typed(type_of(call, self.functions))
+        first, *others = map(self._given, call.arguments)
+        found = self.machine.promoted(first) if first is not None else None
+        for other in others:
+            found = self.machine.common(found, other) if found is not None and other is not None else None
+        return found
+
+    def _member(self, member: ccode.Member) -> Number | None:
+        kind = type_of(member, self.functions)
+        if kind is not None or member.object is not None or self._holders is None:
+            return self.typed(kind)
+        found = {self.typed(of_use(field.valueType)) for field in self._holders(member)}
+        return found.pop() if len(found) == 1 else None
 
     def _assigned(self, assignment: ccode.Assignment) -> Number | None:
         return self._given(assignment.left)
@@ -258,8 +290,10 @@ _RULES: dict[str, Callable[[Numbers, Any], Number | None]] = {
     "FloatingLiteral": lambda self, _: Number(32, True, real=True),
     "SizeOf": lambda self, _: Number(self.machine.pointer_bits, False),
     "Binary": Numbers._binary,
+    "Call": Numbers._called,
     "Unary": Numbers._unary,
     "Assignment": Numbers._assigned,
     "ConditionalExpression": Numbers._conditional,
+    "Member": Numbers._member,
     "NameReference": Numbers._name,
 }

@@ -32,4 +32,17 @@ def returned_values(platform: str) -> Mapping[str, tuple[int, int]]:
     return found
 
 
+@cache
+def macros_of_operands(platform: str) -> frozenset[str]:
+    """Macros of a platform whose result has the type that their arguments have together; empty for a platform without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
+        return frozenset()
+    path = resources.find("platform_repo", f"{platform}/{_FILE}")
+    return frozenset(DataTable(path, read_data(path)).texts("macros_of_operands", ()))
+
+
 _FILE = "values.toml"

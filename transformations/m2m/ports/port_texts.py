@@ -17,7 +17,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind
-from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
+from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL, BoardPins
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
 from robosmi.transformations.queries.macros.tokens import name_tokens
@@ -78,7 +78,7 @@ def port_changes(
                     changed = [_moved(place, numbers[place.value], sources, kept), *following]
                     numbers[place.value].changes.extend(changed)
             changes: list[migration.TextChange] = []
-        elif kept is not None and _alike(each, numbers, kept):
+        elif kept is not None and (_alike(each, numbers, kept) or _same_channels(each, numbers, sources, kept)):
             each.flow.kept.insert(0, SAME_NUMBERS)
             changes = []
         else:
@@ -124,6 +124,29 @@ def _alike(each: FlowPorts, numbers: Mapping[int, migration.PortBinding], kept: 
     bound = [(n, bound_pin(numbers[n])) for n in each.numbers if n in numbers]
     same = all(pin is not None and labels.get(number) == pin.label for number, pin in bound)
     return same and (not each.anything or all(labels.get(n) == label for n, label in kept.source.labels.items()))
+
+
+def _same_channels(
+    each: FlowPorts, numbers: Mapping[int, migration.PortBinding], sources: Mapping[str, bytes], kept: RetainedPins
+) -> bool:
+    """Whether all numbers of a flow are written as channels, which are those of the bound pins on the target, too."""
+    flow, here, there = each.flow, kept.source, kept.target
+    if not kept.alike or each.anything or flow.computed or flow.calculated or not each.numbers or not each.written:
+        return False
+    if any(argument.parameter.numbering != CHANNEL or argument.given is None for argument in flow.arguments):
+        return False
+    bound = {number: bound_pin(numbers[number]) for number in each.numbers if number in numbers}
+    labels = {number: pin.label for number, pin in bound.items() if pin is not None}
+    if not set(each.numbers) <= set(labels):
+        return False
+    same = {channel for channel, n in here.channels.items() if n in labels and _on_channel(there, channel) == labels[n]}
+    texts = [(place, sources[place.unit.path][place.start : place.end]) for place in flow.places]
+    as_written = (replacement(numbers[p.value], text, kept)[0] == AS_WRITTEN for p, text in texts if p.value in numbers)
+    return set(each.written) <= same and all(place.value in labels for place, _ in texts) and all(as_written)
+
+
+def _on_channel(board: BoardPins, channel: int) -> str | None:
+    return board.labels.get(board.channels.get(channel, -1))
 
 
 def explicit_enumerators(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:

@@ -13,12 +13,14 @@ import re
 from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.platforms.returned_values import returned_values
+from robosmi.query import all_contents
+from robosmi.transformations.knowledge.platforms.returned_values import macros_of_operands, returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.argument_values import stored_values, taken_values
 from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, is_written
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import as_characters, negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
@@ -43,7 +45,8 @@ def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
     if here.int_bits >= there.int_bits:
         return None
     own, other = (Machine(each.int_bits, 32, each.int_bits, each.char_signed) for each in (here, there))
-    return WrappedValues(sketch.views, own, other, returned_values(sketch.views[0].api.name))
+    platform = sketch.views[0].api.name
+    return WrappedValues(sketch.views, own, other, returned_values(platform), macros_of_operands(platform))
 
 
 def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
@@ -73,13 +76,36 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     yield from cuts
     cut_there = {id(each.element) for each in cuts if isinstance(each, SketchEdit)}
     for view in sketch.views:
-        for expression, number in values.exceeding(view):
-            if not is_written(view, expression) or id(expression) in cut_there:
+        given = _given_to_macros(view, values)
+        for expression, number in (*values.exceeding(view), *values.returned(view)):
+            if not (is_written(view, expression) or id(expression) in given) or id(expression) in cut_there:
                 continue
             cut = f"{'' if number.signed else 'u'}int{bits}_t"
             start, end = int(expression.startOffset), int(expression.endOffset)
             reason = f"the result is cut to the {bits} bits that it has on its own board"
             yield SketchEdit(expression, "int-cut", reason, (inserted(start, f"({cut})("), inserted(end, ")")))
+
+
+def _given_to_macros(view: CodeView, values: WrappedValues) -> set[int]:
+    """The uses in the text of macros of the platform like `abs`, and what is in their arguments, by `id`: they may be cut."""
+    found: set[int] = set()
+    for call in view.of_kind(ccode.Call):
+        if not call.viaMacro and values.joins_operands(call):
+            around = [
+                use for use in view.unit.macroUses if use.startOffset <= call.startOffset and call.endOffset <= use.endOffset
+            ]
+            if all(str(use.name) in values.of_operands for use in around):
+                own = [e for e in all_contents(call) if isinstance(e, ccode.Located)]
+                uses = [u for u in view.unit.macroUses if call.startOffset < u.startOffset and u.endOffset <= call.endOffset]
+                uses = [u for u in uses if str(u.name) not in values.of_operands]
+                found |= {id(e) for e in (call, *own) if not any(_is_inside(e, u) for u in uses)}
+    return found
+
+
+def _is_inside(element: ccode.Located, use: ccode.MacroUse) -> bool:
+    start, end = int(element.startOffset), int(element.endOffset)
+    named = isinstance(element, ccode.NameReference) and (start, end) == (int(use.startOffset), int(use.endOffset))
+    return int(use.startOffset) <= start and end <= int(use.endOffset) and not named
 
 
 def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:

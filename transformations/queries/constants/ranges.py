@@ -203,8 +203,28 @@ class Ranges:
         if name == "random" and arguments and (end := self.of(arguments[-1])) is not None:
             start = self.of(arguments[0]) if len(arguments) > 1 else Range(0, 0)
             return Range(start.low, max(start.low, end.high - 1)) if start is not None else None
+        if self.numbers.joins_operands(call) and (joined := self._of_operands(call)) is not None:
+            return joined
         found = self._results.get(name)
         return Range(*found) if found is not None else None
+
+    def _of_operands(self, call: ccode.Call) -> Range | None:
+        """What a macro makes of its arguments, as they are in the type that they have together."""
+        number, name = self.numbers.of(call), str(call.calleeName)
+        ranges = [self.of(each) for each in call.arguments]
+        if number is None or number.real or None in ranges:
+            return None
+        whole = Range(number.least, number.most)
+        first, *others = (each if each.within(number.least, number.most) else whole for each in ranges if each is not None)
+        if name == "abs" and first.low < 0:
+            return Range(0, min(max(-first.low, first.high), number.most), first.given)
+        if name == "sq":
+            ends = (first.low * first.low, first.high * first.high)
+            return Range(0 if first.low < 0 < first.high else min(ends), max(ends), first.given)
+        if name in ("min", "max") and others:
+            choose = min if name == "min" else max
+            return Range(choose(first.low, others[0].low), choose(first.high, others[0].high), first.given and others[0].given)
+        return first if name == "abs" else None
 
     def _assigned(self, assignment: ccode.Assignment) -> Range | None:
         return self.of(assignment.right) if assignment.operator == "=" else None

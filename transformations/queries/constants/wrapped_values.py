@@ -7,7 +7,7 @@ functions. A counter that is compared with a bound and then set, or that runs in
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 from math import isfinite
 from operator import add, mul, sub, truediv
@@ -39,10 +39,15 @@ class WrappedValues:
         here: the machine of the source.
         there: the machine of the target, whose int is wider.
         results: what functions return (see `Ranges`).
+        of_operands: macros whose result has the common type of their arguments (see `Numbers`).
     """
 
-    def __init__(self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]]) -> None:
+    def __init__(
+        self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]],
+        of_operands: Collection[str] = (),
+    ) -> None:  # fmt: skip
         self.views, self.here, self.there, self._results = views, here, there, results
+        self.of_operands = of_operands
         self._wrapping: set[int] = set()
         self.uses = DeclaredUses(views)
         self._ranges = self._made()
@@ -62,7 +67,7 @@ class WrappedValues:
         }
         macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
         values = self.views[0].values
-        numbers = Numbers(self.here, functions, {}, macros, self._aliases)
+        numbers = Numbers(self.here, functions, {}, macros, self._aliases, self.of_operands, self.uses.holders)
         return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping, self.uses)
 
     @cached_property
@@ -112,6 +117,10 @@ class WrappedValues:
         """The type of an expression on the source; int where functions of the platform are combined whose results are known."""
         found = self._ranges.numbers.of(expression)
         return self.here.integer if found is None and self._of_results(expression) else found
+
+    def joins_operands(self, expression: ccode.Expression | None) -> bool:
+        """Whether an expression is the use of one of the macros whose result has the type of their arguments."""
+        return self._ranges.numbers.joins_operands(expression)
 
     def _of_results(self, expression: ccode.Expression | None) -> bool:
         if isinstance(expression, ccode.Binary) and expression.operator in _CLOSED:
@@ -300,6 +309,19 @@ class WrappedValues:
             if self.exceeds(expression, number) and self._looked_at(expression, number):
                 yield expression, number
 
+    def returned(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
+        """The results of functions of a unit that are cut to an int there, with the type of the function."""
+        for statement in view.of_kind(ccode.Return):
+            function, value = ancestor_of_kind(statement, ccode.Function), statement.value
+            within = ancestor_of_kind(statement, ccode.Lambda)  # whose type the model does not have
+            use = function.returnType if function is not None and within is None else None
+            number = self.here.number(str(use.spelling)) if self.is_int(use) and use is not None else None
+            of = self.number(value)
+            if value is None or number is None or of is None or of.bits <= number.bits:
+                continue
+            if self.leaves(value, number):
+                yield value, number
+
     def exceeds(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether a result may have bits beyond its type on the source."""
         if isinstance(expression, ccode.Cast):
@@ -321,9 +343,20 @@ class WrappedValues:
             return not found.within(number.least, number.most)
         if isinstance(expression, ccode.Binary) and expression.operator == "<<" and self._joins(expression, number):
             return True
+        if (
+            isinstance(expression, ccode.Binary)
+            and expression.operator in ("+", "-", "*")
+            and any(map(self._takes_all, operands))
+        ):
+            return True
         return any(
             self.exceeds(each, of) for each in operands if (of := self.number(each)) is not None and of.bits == number.bits
         )
+
+    def _takes_all(self, expression: ccode.Expression | None) -> bool:
+        """Whether an expression is a variable that wraps, or is of one, so that it has all values of its type."""
+        holders = self.uses.holders(_object(expression))
+        return bool(holders) and all(map(self.wraps, holders))
 
     def may_be_negative(self, expression: ccode.Expression | None) -> bool:
         """Whether an int, or what becomes one, is not known to be 0 or more."""
@@ -342,7 +375,8 @@ class WrappedValues:
         written = isinstance(literal, ccode.IntegerLiteral) or self._is_macro(literal)
         if inner is not None and inner.real:
             return self._real_leaves(cast.operand, number)
-        wider = inner is not None and (inner.bits > number.bits or written)
+        negative = not number.signed and found is not None and found.low < 0
+        wider = inner is not None and (inner.bits > number.bits or written or negative)
         return wider and (found is None or not found.within(number.least, number.most))
 
     def cuts(self, expression: ccode.Expression | None, number: Number) -> bool:
@@ -383,6 +417,15 @@ class WrappedValues:
         if isinstance(expression, ccode.Cast):
             kind = self.there.number(str(expression.target.spelling)) if expression.target is not None else None
             return kind is not None and not kind.real and kind.bits <= self.here.int_bits
+        if isinstance(expression, ccode.IntegerLiteral) or self._is_macro(expression):  # 0x8000 has no sign here, and one there
+            of, found = self.number(expression), self._ranges.of(expression)
+            return (
+                of is not None
+                and not of.signed
+                and found is not None
+                and found.high > self.here.integer.most
+                and not (isinstance(expression, ccode.IntegerLiteral) and "u" in str(expression.text).lower())
+            )
         holders = self.uses.holders(_object(expression))
         return bool(holders) and all(map(self._cuts, holders))
 

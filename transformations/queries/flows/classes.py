@@ -48,7 +48,7 @@ class Classes:
         """The classes of which the text makes objects with arguments."""
         made = {str(call.className) for view in self._views for call in view.of_kind(ccode.ConstructorCall)}
         initials = (initial for view in self._views for initial in view.of_kind(ccode.MemberInitializer))
-        fields = {str(field.name): type_name(field.valueType) for view in self._views for field in view.of_kind(ccode.Field)}
+        fields = {str(field.name): member_type(field.valueType) for view in self._views for field in view.of_kind(ccode.Field)}
         return frozenset(made | {fields.get(str(initial.name), str(initial.name)) for initial in initials})
 
     @cached_property
@@ -115,12 +115,33 @@ class Classes:
         record = self.around(initial)
         return next((f for f in record.fields if f.name == initial.name), None) if record is not None else None
 
+    def with_member(self, record: ccode.Record, name: str) -> ccode.Record | None:
+        """The class that declares a member of a class: itself or the only one of its base classes; None where none is known."""
+        seen, waiting = {id(record)}, [record]
+        found: list[ccode.Record] = []
+        for each in waiting:
+            if any(field.name == name for field in each.fields):
+                found.append(each)
+                continue
+            bases = [self._records.get(type_name(base)) for base in each.bases]
+            if None in bases:
+                return None  # a base class that the program does not declare may have it
+            waiting += [base for base in bases if base is not None and id(base) not in seen]
+            seen |= {id(base) for base in bases}
+        return found[0] if len(found) == 1 else None
+
     def _class_of(self, function: ccode.Function) -> ccode.Record | None:
         around = function.eContainer()
         if isinstance(around, ccode.Record):
             return around
         match = _OF_CLASS.search(str(function.signature or ""))
         return self._records.get(match[1]) if match is not None else None
+
+
+def member_type(use: ccode.TypeUse | None) -> str:
+    """The name of the type of a member that is made with its object; empty for a pointer or reference."""
+    apart = use is None or bool(use.pointerDepth) or "&" in str(use.spelling) or "*" in str(use.spelling)
+    return "" if apart else type_name(use)
 
 
 def type_name(use: ccode.TypeUse | None) -> str:

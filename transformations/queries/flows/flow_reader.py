@@ -17,7 +17,7 @@ from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
-from robosmi.transformations.queries.flows.classes import Classes, type_name
+from robosmi.transformations.queries.flows.classes import Classes, member_type, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
@@ -211,8 +211,8 @@ class FlowReader:
             return self.key(member)
         if member.object is None:  # of the object that a method is called for
             record = self.classes.around(member)
-            if record is not None and any(field.name == member.name for field in record.fields):
-                return self._field(str(member.name), record_key(record))
+            if record is not None and (owner := self.classes.with_member(record, str(member.name))) is not None:
+                return self._field(str(member.name), record_key(owner))
             return self._once(self._field(str(member.name), None), f"'{member.name}' is a member of another class")
         whole = whole_of_member(member)
         return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
@@ -406,7 +406,7 @@ class FlowReader:
     def _initial_member(self, initial: ccode.MemberInitializer, view: CodeView) -> None:
         """Give a member the value that a constructor initialises it with; a base class is constructed with it."""
         field = self.classes.initialised(initial)
-        kind = str(initial.name) if field is None else type_name(field.valueType)
+        kind = str(initial.name) if field is None else member_type(field.valueType)
         arguments = list(initial.arguments)
         if field is None or self.classes.constructors(kind, len(arguments)) or constructor_pins(self.classes, kind, view):
             self._constructed(kind, arguments, initial, view)

@@ -63,6 +63,7 @@ class FlowPorts(Struct):
         values: the values of each of the flow's arguments, in their order; empty in the body of a macro.
         made: position of an argument in a macro's body -> the calls that the macro expands to where it is
             used, with the numbers that they may pass.
+        written: the numbers of the other expressions whose values come in, before they are made those of pins.
     """
 
     flow: Flow
@@ -70,6 +71,7 @@ class FlowPorts(Struct):
     anything: bool
     values: list[list[Value]]
     made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = {}
+    written: Collection[int] = ()
 
     @property
     def calls(self) -> Iterator[ccode.Call]:
@@ -167,14 +169,17 @@ def _flow_ports(
     if unknown or not flow.kept:
         numbers |= {place.value for place in flow.places}
     anything = False
+    written: list[int | None] = []
     if unknown:
         meant = _meaning(flow)
-        given = [meant(v.number) for unit, one in flow.given for v in reached[unit.path].of(one)]
+        written = [v.number for unit, one in flow.given for v in reached[unit.path].of(one)]
+        given = [meant(number) for number in written]
         computed = [meant(v.number) for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
         numbers |= {pin_number(number) for number in (*given, *computed) if number is not None}
         anything = flow.computed or None in computed or not numbers
     anything |= any(argument.mixed for argument in flow.arguments)
-    return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine, made)
+    known_numbers = sorted(n for n in numbers if 0 <= n < count)
+    return FlowPorts(flow, known_numbers, anything, mine, made, {number for number in written if number is not None})
 
 
 def _meaning(flow: Flow) -> Callable[[int | None], int | None]:

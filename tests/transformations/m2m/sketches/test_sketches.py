@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -41,8 +42,10 @@ def pins(outcome: Outcome) -> dict[str, str]:
     return {(each["names"] or [each["name"]])[-1]: each["pin"] for each in bindings}
 
 
-@pytest.mark.parametrize("target", ["nano", "mega"])
-@pytest.mark.parametrize("name", ["pins", "classes", "tabs"])
+@pytest.mark.parametrize(
+    ("name", "target"),
+    [*((name, board) for name in ("pins", "classes", "tabs") for board in ("nano", "mega")), ("inherited", "mega")],
+)
 def test_a_sketch_needs_no_edit_on_a_board_with_the_same_pins(name: str, target: str, tmp_path: Path) -> None:
     outcome = migrated(name, tmp_path, target=target)
     assert outcome.code == 0
@@ -51,6 +54,16 @@ def test_a_sketch_needs_no_edit_on_a_board_with_the_same_pins(name: str, target:
         assert made.read_bytes().split() == file.read_bytes().split()  # line ends may differ
     assert not tasks(outcome, "RS347")
     assert not (tmp_path / name / "adapters.h").exists()
+
+
+def test_a_number_of_a_pin_is_looked_up_where_it_could_be_a_channel(tmp_path: Path) -> None:
+    """14 is A0 on an Uno and another pin on a Mega; 0 is A0 on both (see `inherited`)."""
+    sketch = tmp_path / "inherited" / "inherited.ino"
+    shutil.copytree(HERE / "inherited", sketch.parent)
+    sketch.write_text(sketch.read_text(encoding="utf-8").replace("EYE 0", "EYE 14"), encoding="utf-8")
+    out = tmp_path / "out"
+    assert run("migrate", sketch, "--from", "uno", "--target", "mega", "-o", out, "--yes", "--json").code == 0
+    assert "analogRead(port_of_channel(channel))" in text(out, "inherited/Parts.cpp")
 
 
 def test_a_pin_shared_with_a_bus_stays_where_the_processor_does(tmp_path: Path) -> None:

@@ -11,6 +11,17 @@ union Pair {
   struct { byte low; unsigned char high; };
   uint16_t both;
 } pair;
+uint16_t near = 436, far = 500;
+int side = 200;
+class Track {
+  int16_t sum = 0;
+public:
+  void add(int step) { sum += step; }
+  unsigned age(unsigned now) const { return (uint16_t)(now - sum); }
+};
+Track track;
+
+int shortened(long value) { return (int16_t)(value); }
 
 void setup() {
   Serial.begin(9600); while (!Serial && millis() < 3000) {}
@@ -42,4 +53,14 @@ void loop() {
   Serial.println(String(level));
   Serial.println(String(reading, BIN));
   Serial.write(packet.raw, sizeof(packet));
+  int16_t apart = abs((uint16_t)(near - far));
+  if (abs((uint16_t)(near - far)) > 100) Serial.println(apart);
+  Serial.println(constrain((uint16_t)(near - far), 0, 100));
+  long area = (int16_t)(sq(side));
+  Serial.println(area + shortened(70000));
+  if ((uint16_t)(level) == 0x8000) Serial.println("least");
+  Serial.println((uint16_t)((unsigned)level) / 2);
+  track.add(500);
+  Serial.println(track.age(5));
+  Serial.println(abs(level));
 }

@@ -11,6 +11,17 @@ union Pair {
   struct { byte low; unsigned char high; };
   uint16_t both;
 } pair;
+uint16_t near = 436, far = 500;
+int side = 200;
+class Track {
+  int sum = 0;
+public:
+  void add(int step) { sum += step; }
+  unsigned age(unsigned now) const { return now - sum; }
+};
+Track track;
+
+int shortened(long value) { return value; }
 
 void setup() {
   Serial.begin(9600);
@@ -42,4 +53,14 @@ void loop() {
   Serial.println(String(level));
   Serial.println(String(reading, BIN));
   Serial.write(packet.raw, sizeof(packet));
+  int apart = abs(near - far);
+  if (abs(near - far) > 100) Serial.println(apart);
+  Serial.println(constrain(near - far, 0, 100));
+  long area = sq(side);
+  Serial.println(area + shortened(70000));
+  if (level == 0x8000) Serial.println("least");
+  Serial.println((unsigned)level / 2);
+  track.add(500);
+  Serial.println(track.age(5));
+  Serial.println(abs(level));
 }

@@ -27,8 +27,8 @@ class Print {
   size_t print(const char *text) { return write(text); }
   size_t print(char letter) { return write((uint8_t)letter); }
   size_t print(unsigned char value, int base = DEC) { return print((unsigned long long)value, base); }
-  size_t print(short value, int base = DEC) { return print((long long)value, base); }
-  size_t print(unsigned short value, int base = DEC) { return print((unsigned long long)value, base); }
+  size_t print(short value, int base = DEC) { return print((long)value, base); }
+  size_t print(unsigned short value, int base = DEC) { return print((unsigned long)value, base); }
   size_t print(int value, int base = DEC) { return print((long)value, base); }
   size_t print(unsigned int value, int base = DEC) { return print((unsigned long long)value, base); }
   size_t print(long value, int base = DEC);
