@@ -35,6 +35,7 @@ from robosmi.transformations.m2m.ports.port_evidence import (
     ValuesOf,
     fit,
     may_meet,
+    number_for,
     remarks_for,
     remarks_of_own,
     tone_kinds,
@@ -490,17 +491,19 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
     options = []
     if seat.own and fits and not any(found.points > 0 for found, _ in fits):
         unwired = migration.Option(label=NOT_WIRED, score=0.3, reasons=[f"not connected: {seat.own}"])
-        options.append(((0.0, False, -remarks_of_own(seat), False), unwired))
+        options.append(((0.0, False, -remarks_of_own(seat), False, False), unwired))
     for found, connection in fits:
         meets, (remarks, reasons) = may_meet(seat, connection), remarks_for(seat, connection)
-        said = [*found.reasons, *([_usual_components(seat)] if meets and not found.points else []), *reasons]
-        score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 else 0.1
+        number = number_for(seat, connection)
+        usual = [_usual_components(seat)] if meets and not found.points else []
+        said = [*found.reasons, *usual, *reasons, *filter(None, [number])]
+        score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 or number else 0.1
         option = migration.Option(
             label=connection.name, score=score,
             reasons=[*(said or ["weak match: only input/output agrees"]), *filter(None, [misleading_title(connection)])],
         )  # fmt: skip
         unfit = meets is False or bool(kinds_of(connection) & seat.unlike)
-        options.append(((-found.points, unfit, -remarks, not meets), option))
+        options.append(((-found.points, unfit, -remarks, not meets, not number), option))
     seat.binding.options.extend(option for _, option in sorted(options, key=lambda pair: pair[0]))
 
 
