@@ -204,7 +204,7 @@ def test_what_has_no_wiring_is_refused(tmp_path: Path, capsys: pytest.CaptureFix
     assert main(["wiring", str(out), "--as", "fax", "-o", str(tmp_path / "x")]) == 2
 
 
-@pytest.mark.parametrize("form", ["wokwi", "csv", "svg"])
+@pytest.mark.parametrize("form", ["wokwi", "csv"])
 def test_a_plan_without_a_drawing_has_no_wiring(form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["migrate", str(BLINK), "-o", str(tmp_path / "out"), "--yes", "--fail-on", "never"]) == 0
     capsys.readouterr()

@@ -454,7 +454,7 @@ inline void cog_main() {
 }
 
 //# helper cog_begin
-//#   needs: cog_table cogs_running cog_main cog_pins COG_SLOTS hal/cog_frame
+//#   needs: cog_table cogs_running cog_main COG_SLOTS hal/cog_frame
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
@@ -493,7 +493,7 @@ inline uint16_t cog_stack_used(uint8_t number) {
 //#   needs: cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
-//#   stack: 32 16
+//#   stack: 14 2
 inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
   (void)stack;
   (void)stacksize;

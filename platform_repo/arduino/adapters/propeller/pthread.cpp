@@ -192,7 +192,7 @@ inline void thread_main(void *) {
 //#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin propeller.h/COG_SLOTS Thread
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
 //#   limit: there are as many threads as the migration counted, each with a stack of COG_STACK bytes
-//#   stack: 32 16
+//#   stack: 14 5
 inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*startfunc)(void *), void *arg) {
   for (uint8_t number = 1; number <= COG_SLOTS; number++) {
     if (threads[number].used || !cog_begin(number, thread_main, 0)) continue;

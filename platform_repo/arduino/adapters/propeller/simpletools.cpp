@@ -1271,7 +1271,7 @@ static int32_t cog_numbers[COG_SLOTS];
 //#   needs: CogInfo cog_numbers propeller.h/cog_start
 //#   fidelity: runs the function whenever the others wait; 0 when no cog is free
 //#   limit: the size of the stack is not used: each cog has COG_STACK bytes
-//#   stack: 25 16
+//#   stack: 7 2
 inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
   (void)stacksize;
   int8_t number = cog_start(function, 0);

@@ -8,7 +8,7 @@
 //#   needs: simpletools.h/CogInfo simpletools.h/cog_run
 //#   fidelity: as cog_run
 //#   limit: the size of the stack is not used: each cog has COG_STACK bytes
-//#   stack: 25 16
+//#   stack: 7 2
 inline CogInfo cog_runStackTest(void (*function)(void *par), int32_t stacksize) {
   return cog_run(function, stacksize);
 }
@@ -34,7 +34,7 @@ inline int32_t cog_endStackTest(Number *coginfo) {
 //#   needs: propeller.h/cogstart
 //#   fidelity: as cogstart
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
-//#   stack: 32 16
+//#   stack: 14 2
 inline int32_t cogstart_stackTest(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
   return cogstart(func, par, stack, stacksize);
 }

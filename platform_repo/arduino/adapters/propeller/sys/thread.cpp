@@ -11,7 +11,7 @@ struct _thread_state_t {};
 //#   needs: _thread_state_t propeller.h/cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
-//#   stack: 32 16
+//#   stack: 14 2
 inline int32_t _start_cog_thread(void *stacktop, void (*func)(void *), void *arg, _thread_state_t *tls) {
   (void)stacktop;
   (void)tls;
