@@ -168,4 +168,4 @@ def test_the_version_reaches_the_sketch(line_follower: Path, tmp_path: Path) -> 
 def test_a_path_in_place_of_the_name_gets_the_option_for_it() -> None:
     refused = run("libraries", "install", DESCRIBED, "--json")
     assert refused.code == 2
-    assert refused.findings[0]["fix"] == f"give its name, and the file as --from {DESCRIBED}"
+    assert refused.document["findings"][0]["fix"] == f"give its name, and the file as --from {DESCRIBED}"
