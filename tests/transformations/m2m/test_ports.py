@@ -119,6 +119,6 @@ def test_a_pin_of_a_board_with_one_prefix_is_called_by_its_number_too(pin: str, 
     (tmp_path / "lamp.c").write_text('#include "simpletools.h"\nint main() { high(3); high(4); }\n')
     (tmp_path / "wiring.csv").write_text(f"pin,part,title\n{pin},Red LED,lamp\n")
     plan = robosmi.plan_migration([tmp_path / "lamp.c"], hardware=tmp_path / "wiring.csv", target="pico", bind={"P4": pin}).plan
-    assert [(c.pin.label, c.component.title) for c in plan.connections] == [("GP9", "lamp")]
-    assert [b.pin.label for b in plan.portBindings if b.name == "P4"] == ["GP9"]
+    assert [(c.pin.label, c.component.title) for c in plan.connections if c.pin and c.component] == [("GP9", "lamp")]
+    assert [b.pin.label for b in plan.portBindings if b.name == "P4" and b.pin] == ["GP9"]
     assert not [f for f in plan.findings if f.rule in ("RS223", "RS331")]
