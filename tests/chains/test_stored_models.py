@@ -11,9 +11,11 @@ from typing import Any
 import pytest
 
 import robosmi
+from robosmi.errors import SourceError
 from robosmi.files.files import digest
 from robosmi.metamodels import ccode, migration
 from robosmi.model.ecore.metamodels import BUILT_IN
+from robosmi.transformations.chains.stages.models import stored_models
 from robosmi.transformations.queries.plans.plan import plan_json
 from robosmi.transformations.queries.reports.work import work_json
 from tests.running import run
@@ -164,3 +166,13 @@ def test_emf_finds_nothing_and_would_write_the_same_bytes(name: str, output: Pat
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"^OK \d+ objects, 1 roots, 0 diagnostics", done.stdout, re.MULTILINE), done.stdout
     assert resaved.read_bytes() == (output / "models" / name).read_bytes()
+
+
+@pytest.mark.parametrize(("made", "text"), [(False, "there is no such folder"), (True, "this folder holds no migration")])
+def test_a_folder_without_a_migration_is_named(made: bool, text: str, tmp_path: Path) -> None:
+    if made:
+        (tmp_path / "out").mkdir()
+    with pytest.raises(SourceError, match=text) as caught:
+        stored_models(tmp_path / "out")
+    assert caught.value.location is not None
+    assert caught.value.location.path == str(tmp_path / "out")

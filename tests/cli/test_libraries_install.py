@@ -163,3 +163,9 @@ def test_the_version_reaches_the_sketch(line_follower: Path, tmp_path: Path) -> 
     new = tmp_path / "new"
     run("migrate", line_follower, "-o", new)
     assert "- Servo (7.8.9)" in (new / "line_follower" / "sketch.yaml").read_text(encoding="utf-8")
+
+
+def test_a_path_in_place_of_the_name_gets_the_option_for_it() -> None:
+    refused = run("libraries", "install", DESCRIBED, "--json")
+    assert refused.code == 2
+    assert refused.document["findings"][0]["fix"] == f"give its name, and the file as --from {DESCRIBED}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -67,7 +68,14 @@ def test_the_first_screen_has_the_result_and_the_circuit(migrated: Any, serve: S
         assert page.script(height) <= 6.5 * 800
         page.browser.set_window_size(390, 844)
         assert page.script(height) <= 7.5 * 844
+        tops = "return ['result', 'circuit', 'works'].map(each => document.getElementById(each).getBoundingClientRect().top)"
+        order = page.script(tops)
+        assert order == sorted(order)
+        dark = {"features": [{"name": "prefers-color-scheme", "value": "dark"}]}
+        page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", dark)
+        assert "invert" in page.script("return getComputedStyle(document.querySelector('#circuit svg')).filter")
     finally:
+        page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
         page.browser.set_window_size(1280, 900)
     assert page.script("return document.getElementById('result').dataset.result") == "needs-you"
     assert "4 choices" in shown(page, "#result")[0]
@@ -127,6 +135,18 @@ def test_a_part_with_200_pins_has_short_options(out: Path) -> None:
     assert option.startswith("monster pin 0, pin 12")
     assert option.endswith("more (D2)")
     assert len(option) < 60
+
+
+def test_many_open_questions_fold_their_sources_and_no_option(out: Path) -> None:
+    (out.parent / "many.c").write_text(PROGRAM.replace("int eye;", "".join(f"high({n}); " for n in range(9, 15))))
+    robosmi.migrate([out.parent / "many.c"], out.parent / "many", hardware=out.parent / "parts.csv", target="uno")
+    page = PlanPage(out.parent / "many")
+    page.document(live=True, nonce="n")
+    decide = page.sections["decide"]
+    folded = re.findall(r'<details class="source">.*?</details>', decide, re.DOTALL)
+    assert len(folded) == decide.count('class="choice open"') - 1 >= 5  # the first shows its three lines
+    assert not any("data-option" in each for each in folded)
+    assert all("<pre" in each for each in folded)
 
 
 def test_the_next_open_question_is_one_key_away_and_the_progress_counts(out: Path, serve: Serve) -> None:

@@ -11,7 +11,7 @@ import pytest
 import robosmi
 from robosmi.project import FILE_NAME
 from robosmi.transformations.chains.page import PlanPage
-from robosmi.transformations.chains.watch import WatchedFolder, printed, state_of
+from robosmi.transformations.chains.watch import WatchedFolder, printed, state_of, text_of
 from robosmi.verify.scenario import read_scenario
 from robosmi.verify.simulation import ConsoleByte
 from robosmi.verify.traces.activity import BURST, LEVEL, PULSES, WAVE, ActivityEvent
@@ -199,6 +199,13 @@ def test_of_runs_that_wait_only_the_last_is_done(out: Path) -> None:
 )
 def test_the_state_of_a_part_is_that_of_the_contract(event: ActivityEvent, wheel: int, state: str) -> None:
     assert state_of(event, wheel) == state
+
+
+@pytest.mark.parametrize(("hz", "text"), [(90.0831, "90.1 Hz"), (38012.5, "38000 Hz"), (0.25, "0.25 Hz")])
+def test_a_frequency_has_three_digits(hz: float, text: str) -> None:
+    event = ActivityEvent(0, WAVE, (hz, 0.5))
+    assert text_of(event) == text
+    assert state_of(event) == f"{hz:g}"  # the sound has the exact one
 
 
 def test_the_live_part_runs_pauses_steps_takes_an_input_and_stops(out: Path, serve: Serve) -> None:

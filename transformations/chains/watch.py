@@ -17,6 +17,7 @@ from threading import Lock
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Location
@@ -352,7 +353,7 @@ def _shown(
             continue
         wheel = programs.wheels.get(port.name, 0)
         rows = {
-            side: [[round(e.at_us / 1000, 3), state_of(e, wheel), str(e), e.kind] for e in events[:MOST_EVENTS]]
+            side: [[round(e.at_us / 1000, 3), state_of(e, wheel), text_of(e), e.kind] for e in events[:MOST_EVENTS]]
             for side, events in seen.items()
         }
         channels.append(
@@ -392,6 +393,14 @@ def state_of(event: ActivityEvent, wheel: int = 0) -> str:
     if event.kind == WAVE and value:
         return f"{float(value):.6g}"
     return "on" if event.kind in (WAVE, BURST) else str(event)
+
+
+def text_of(event: ActivityEvent) -> str:
+    """An event in words, with three significant digits of a frequency, which are more than one hears or sees."""
+    frequency, *others = event.value
+    if event.kind == WAVE and frequency:
+        event = replace(event, value=(float(f"{float(frequency):.3g}"), *others))
+    return str(event)
 
 
 def printed(console: Iterable[ConsoleByte]) -> list[list[Json]]:

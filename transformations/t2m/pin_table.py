@@ -33,6 +33,7 @@ from robosmi.transformations.knowledge.electrical_facts import REST
 from robosmi.transformations.knowledge.part import GIVEN, ROLES, Part
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names, passive_named
 from robosmi.transformations.knowledge.part_roles import classify
+from robosmi.transformations.knowledge.platforms.board_pins import pin_names
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
 
@@ -139,7 +140,7 @@ class _Table:
         self.names = known
         self.project = project
         self.labels = {
-            word.lower(): pin.label for pin in board.pins for word in (*pin.aliases, pin.label.removeprefix("D"), pin.label)
+            word.lower(): pin.label for pin in board.pins for word in (pin.label.removeprefix("D"), *pin_names(pin, board))
         }
         self.rows: dict[str, list[_Row]] = {}
         self.numbers: Counter[str] = Counter()

@@ -80,7 +80,9 @@ def install_library(
     """
     read = _NAME.fullmatch(wanted.strip())
     if read is None:
-        raise UsageError(f"'{wanted}' is no name of a library", fix="give NAME or NAME@VERSION, for example Servo@1.2.1")
+        named = "give NAME or NAME@VERSION, for example Servo@1.2.1"
+        fix = f"give its name, and the file as --from {wanted}" if os.path.exists(wanted) else named
+        raise UsageError(f"'{wanted}' is no name of a library", fix=fix)
     name, version = read["name"].strip(), read["version"] or ""
     home = _home(toolchain)
     if source is None:

@@ -36,7 +36,7 @@ def test_evidence_binds_a_port_or_leaves_it_open(case: Path) -> None:
 )
 def test_what_the_program_says_beside_an_open_port_orders_its_options(case: Path) -> None:
     wiring = case / "wiring.csv"
-    wanted = dict(re.findall(r"^# first (\S+) = (\S+)$", wiring.read_text(), re.MULTILINE))
+    wanted = dict(re.findall(r"^# first (.+?) = (\S+)$", wiring.read_text(), re.MULTILINE))
     plan = robosmi.plan_migration([case / "program.c"], hardware=wiring).plan
     pins = {c.name: c.pin.label for c in plan.connections if c.pin is not None}
     offered = {choice.subject: choice.options for choice in available_choices(plan) if choice.chosen is None}

@@ -112,3 +112,13 @@ def test_numbers_of_an_own_header_are_known_where_they_are_used() -> None:
     assert not [finding for finding in plan.findings if finding.rule == "RS327"]
     assert {b.name for b in plan.portBindings if b.origin == "convention" and "AD" in b.name} == {"AD1"}
     assert not plan.symbolUses, "the suffix of a number is no name"
+
+
+@pytest.mark.parametrize("pin", ["GP9", "D9", "9"])
+def test_a_pin_of_a_board_with_one_prefix_is_called_by_its_number_too(pin: str, tmp_path: Path) -> None:
+    (tmp_path / "lamp.c").write_text('#include "simpletools.h"\nint main() { high(3); high(4); }\n')
+    (tmp_path / "wiring.csv").write_text(f"pin,part,title\n{pin},Red LED,lamp\n")
+    plan = robosmi.plan_migration([tmp_path / "lamp.c"], hardware=tmp_path / "wiring.csv", target="pico", bind={"P4": pin}).plan
+    assert [(c.pin.label, c.component.title) for c in plan.connections if c.pin and c.component] == [("GP9", "lamp")]
+    assert [b.pin.label for b in plan.portBindings if b.name == "P4" and b.pin] == ["GP9"]
+    assert not [f for f in plan.findings if f.rule in ("RS223", "RS331")]

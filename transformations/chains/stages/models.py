@@ -150,6 +150,10 @@ def stored_models(output: Path) -> MigrationModels:
     """
     path = output / FOLDER / PLAN
     _check_inside(path, output)
+    if not os.path.lexists(output / FOLDER):
+        what = "this folder holds no migration" if output.is_dir() else "there is no such folder"
+        fix = "give the folder that robosmi migrate ... -o OUT has written"
+        raise SourceError(what, location=Location(str(output)), fix=fix)
     from robosmi.model.ecore.xmi_document import NO_MODEL  # a migration from sources reads no model
 
     try:

@@ -6,6 +6,7 @@ The numbers of pins, of channels of the converter and of interrupts are three nu
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 from msgspec import Struct
@@ -14,6 +15,18 @@ from robosmi.metamodels import platform
 
 CHANNEL, INTERRUPT = "channel", "interrupt"
 """Numberings of a parameter besides that of pins, as `pins.json` names them."""
+
+
+_COUNTED = re.compile(r"([A-Z]+)(\d+)\Z")
+
+
+def pin_names(pin: platform.Pin, board: platform.Board) -> tuple[str, ...]:
+    """What a user may call a pin: its label, its aliases, and where all labels have one prefix (`GP9`) its number (`9`, `D9`)."""
+    labels = [_COUNTED.match(str(each.label)) for each in board.pins]
+    prefixes = {label[1] if label is not None else "" for label in labels}
+    own = _COUNTED.match(str(pin.label))
+    numbers = (own[2], f"D{own[2]}") if own is not None and len(prefixes) == 1 else ()
+    return (str(pin.label), *(str(alias) for alias in pin.aliases), *numbers)
 
 
 class BoardPins(Struct, frozen=True):

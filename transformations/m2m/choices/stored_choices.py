@@ -14,6 +14,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import migration
+from robosmi.transformations.knowledge.platforms.board_pins import pin_names
 from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 
 DIFFERENT, GONE = "RS413", "RS414"
@@ -136,11 +137,11 @@ def _of(said: Mapping[str, str], decision: migration.Decision) -> str | None:
 def _meant(value: str, plan: migration.MigrationPlan) -> object:
     """A value in normal form, so that different names of one pin or connection compare equal."""
     for connection in plan.connections:
-        names = (connection.name, former_name(connection))
-        if connection.pin is not None and value in (*names, connection.pin.label, *connection.pin.aliases):
+        if connection.pin is not None and value in (connection.name, former_name(connection)):
             return id(connection.pin)
-    pins = plan.board.pins if plan.board is not None else ()
-    return next((id(pin) for pin in pins if value in (pin.label, *pin.aliases)), value.lower())
+    board = plan.board
+    pins = [pin for pin in board.pins if value in pin_names(pin, board)] if board is not None else []
+    return id(pins[0]) if pins else value.lower()
 
 
 def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]:

@@ -27,6 +27,7 @@ from robosmi.errors import TooLargeError, UsageError, did_you_mean, placed
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
+from robosmi.transformations.knowledge.platforms.board_pins import pin_names
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import (
@@ -35,6 +36,7 @@ from robosmi.transformations.m2m.ports.port_evidence import (
     ValuesOf,
     fit,
     may_meet,
+    number_for,
     remarks_for,
     remarks_of_own,
     tone_kinds,
@@ -323,11 +325,11 @@ def _chosen(
 ) -> tuple[migration.Connection | None, platform.Pin | None]:
     """The connection that the user's choice names, or the pin if no connection is there."""
     named = [c for c in connections if c.name == said] or [c for c in connections if former_name(c) == said]
-    on_pin = [c for c in connections if c.pin is not None and said in (c.pin.label, *c.pin.aliases)]
+    on_pin = [c for c in connections if c.pin is not None and said in pin_names(c.pin, board)]
     if named or on_pin:
         connection = (named or on_pin)[0]
         return connection, connection.pin
-    pin = next((p for p in board.pins if said in (p.label, *p.aliases)), None)
+    pin = next((p for p in board.pins if said in pin_names(p, board)), None)
     if pin is None:
         if not connections:
             raise UsageError(
@@ -490,17 +492,19 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
     options = []
     if seat.own and fits and not any(found.points > 0 for found, _ in fits):
         unwired = migration.Option(label=NOT_WIRED, score=0.3, reasons=[f"not connected: {seat.own}"])
-        options.append(((0.0, False, -remarks_of_own(seat), False), unwired))
+        options.append(((0.0, False, -remarks_of_own(seat), False, False), unwired))
     for found, connection in fits:
         meets, (remarks, reasons) = may_meet(seat, connection), remarks_for(seat, connection)
-        said = [*found.reasons, *([_usual_components(seat)] if meets and not found.points else []), *reasons]
-        score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 else 0.1
+        number = number_for(seat, connection)
+        usual = [_usual_components(seat)] if meets and not found.points else []
+        said = [*found.reasons, *usual, *reasons, *filter(None, [number])]
+        score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 or number else 0.1
         option = migration.Option(
             label=connection.name, score=score,
             reasons=[*(said or ["weak match: only input/output agrees"]), *filter(None, [misleading_title(connection)])],
         )  # fmt: skip
         unfit = meets is False or bool(kinds_of(connection) & seat.unlike)
-        options.append(((-found.points, unfit, -remarks, not meets), option))
+        options.append(((-found.points, unfit, -remarks, not meets, not number), option))
     seat.binding.options.extend(option for _, option in sorted(options, key=lambda pair: pair[0]))
 
 

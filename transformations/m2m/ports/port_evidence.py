@@ -37,6 +37,9 @@ from robosmi.transformations.queries.plans.port_pins import measures
 from robosmi.transformations.queries.values import Values
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
+_BY_NUMBER = ("literal", "runtime")
+"""Origins of ports that the program calls by the number of their pin."""
+_LAST_NUMBER = re.compile(r"\d+\Z")
 _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
 
 
@@ -170,6 +173,16 @@ def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, li
             points += len(shared)
             reasons.append(f"{remark.place} says '{', '.join(shared)}'")
     return points, reasons
+
+
+def number_for(seat: Seat, connection: migration.Connection) -> str:
+    """Why the number at the end of a port's name speaks for a connection; empty if it does not, or if it is the pin's number."""
+    binding = seat.binding
+    names = (binding.name, *binding.names) if binding.origin not in _BY_NUMBER else ()
+    mine = {int(found[0]) for name in names if (found := _LAST_NUMBER.search(str(name)))}
+    title = str(connection.component.title) if connection.component is not None else ""
+    theirs = _LAST_NUMBER.search(title)
+    return f"both names end with {theirs[0]}" if theirs is not None and int(theirs[0]) in mine else ""
 
 
 def remarks_of_own(seat: Seat) -> float:

@@ -170,7 +170,9 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
             ranked.insert(0 if first else len(ranked), (NOT_WIRED, 0.0, why))
         ranked = _free_first(ranked, plan, decision)
     elif isinstance(decision, migration.LibraryChoice):
-        ranked.append((NO_LIBRARY, 0.0, "no library needed"))
+        likely = decision.recommendation == NO_LIBRARY
+        why = "probably no library needed" if likely else "no library needed"
+        ranked.insert(0 if likely else len(ranked), (NO_LIBRARY, 0.0, why))
     chosen = "" if decision.open else str(decision.choice)
     if chosen and all(value != chosen for value, _, _ in ranked):
         ranked.insert(0, (chosen, float(decision.confidence), reason(decision)))
