@@ -258,7 +258,8 @@ def test_scenarios_outside_of_the_folder_are_neither_read_nor_written(linked: st
     outcome = run("verify", out)
     assert outcome.code == 3
     assert "behind a link" in outcome.err
-    answers = [WatchedFolder(out).answer(about) for about in ({"list": True}, {"scenario": "one", "ms": 100})]
+    page = WatchedFolder(out)
+    answers = [page.answer({"list": True}), page.answer({"scenario": "one", "ms": 100})]
     assert [answer["state"] for answer in answers] == ["refused", "refused"]
     assert "'models/scenarios" in answers[0]["message"]
     assert tree(tmp_path / "away") == before

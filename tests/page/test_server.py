@@ -146,7 +146,7 @@ def test_there_are_no_other_methods(method: str, server: PageServer) -> None:
 
 
 def test_connections_that_send_nothing_do_not_pile_up(server: PageServer) -> None:
-    idle = [socket.create_connection(server.server_address[:2], timeout=5) for _ in range(MOST_WAITING + 8)]
+    idle = [socket.create_connection(("127.0.0.1", server.server_address[1]), timeout=5) for _ in range(MOST_WAITING + 8)]
     assert [each.recv(1) for each in idle[:8]] == [b""] * 8
     assert asked(server, f"/{server.token}/state")[0] == 200
     for each in idle:
@@ -159,7 +159,7 @@ def test_a_request_that_comes_byte_by_byte_is_ended(method: str, server: PageSer
     host = server.url.split("/")[2]
     head = f"{method} /{server.token}/undo HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\n"
     body = "Content-Type: application/json\r\nContent-Length: 9000\r\n\r\n" if method == "POST" else "X: "
-    slow = socket.create_connection(server.server_address[:2], timeout=20)
+    slow = socket.create_connection(("127.0.0.1", server.server_address[1]), timeout=20)
     slow.sendall((head + body).encode())
     end, ended = time.monotonic() + 5, False
     while not ended and time.monotonic() < end:
