@@ -26,6 +26,8 @@ from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 _SERVED = ("atmega328p", "atmega168", "atmega2560", "atmega32u4")
 _STATES = {5: "done", 6: "done", 7: "crashed"}
 _FAR = 1 << 62
+_FILTERED = 2
+"""Flag of an IRQ that is raised only with another value than before."""
 _AT_ONCE = 20000
 """Instructions between two looks at the clock."""
 _LONGEST = 5
@@ -179,6 +181,16 @@ class _Run(Bench):
         function = NOTIFY(notified)
         self._kept.append(function)
         self._library.avr_irq_register_notify(irq, function, None)
+
+    def _notify_of_changes(self, irq: int | None, call: Callable[[int], None]) -> None:
+        """Call with the value whenever an IRQ is raised with another one; in an old library, whenever it is raised.
+
+        `digitalWrite` writes a timer's register each time, nearly always with what is there.
+        """
+        setter = getattr(self._library, "avr_irq_set_flags", None)
+        if irq and setter is not None:
+            setter(ctypes.c_void_p(irq), ctypes.c_uint8(self._library.avr_irq_get_flags(ctypes.c_void_p(irq)) & 0xFF | _FILTERED))
+        self._notify(irq, call)
 
     def _woken(self, avr: int, when: int, data: Any) -> int:
         """The timer's callback, which wakes the devices; returns the cycle of the next time, or 0 for never."""
@@ -339,7 +351,7 @@ class _Run(Bench):
 
     def _watch_register(self, address: int) -> None:
         irq = self._library.avr_iomem_getirq(self._avr, address, None, _EVERY_WRITE)
-        self._notify(irq, lambda value: self.timers.written(self.now, address, value & 0xFF))
+        self._notify_of_changes(irq, lambda value: self.timers.written(self.now, address, value & 0xFF))
 
     # ---- the microcontroller's own EEPROM, in which simavr writes at once
 
