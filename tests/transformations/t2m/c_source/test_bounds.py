@@ -333,6 +333,14 @@ def test_a_small_file_has_no_more_cursors_than_people_write(tmp_path: Path) -> N
     assert abs((raised.value.location.line or 0) - 3 - fits) < 4
 
 
+def test_a_text_counts_three_times(tmp_path: Path) -> None:
+    program = tmp_path / "p.c"
+    texts = '"",' * (MOST_CURSORS // 3)
+    program.write_text(f"const char *t[] = {{{texts}}};\nint main(void) {{ return *t[1]; }}\n")
+    with pytest.raises(TooLargeError, match=f"more than {MOST_CURSORS:,} declarations"):
+        read_program(program, platform="propeller")
+
+
 def test_a_file_makes_no_more_calls_than_any_board_can_hold(tmp_path: Path) -> None:
     once, program = 20, tmp_path / "p.c"
     uses = "FLASH\n" * (MOST_CALLS // once)
