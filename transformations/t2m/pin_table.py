@@ -33,7 +33,7 @@ from robosmi.transformations.knowledge.electrical_facts import REST
 from robosmi.transformations.knowledge.part import GIVEN, ROLES, Part
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names, passive_named
 from robosmi.transformations.knowledge.part_roles import classify
-from robosmi.transformations.knowledge.platforms.board_pins import pin_names
+from robosmi.transformations.knowledge.platforms.board_pins import pins_by_name
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
 
@@ -139,9 +139,8 @@ class _Table:
         self.board = board
         self.names = known
         self.project = project
-        self.labels = {
-            word.lower(): pin.label for pin in board.pins for word in (pin.label.removeprefix("D"), *pin_names(pin, board))
-        }
+        self.labels = {pin.label.removeprefix("D").lower(): pin.label for pin in board.pins}
+        self.labels |= {name.lower(): pin.label for name, pin in pins_by_name(board).items()}
         self.rows: dict[str, list[_Row]] = {}
         self.numbers: Counter[str] = Counter()
         self.given: dict[str, str] = {}

@@ -20,13 +20,17 @@ CHANNEL, INTERRUPT = "channel", "interrupt"
 _COUNTED = re.compile(r"([A-Z]+)(\d+)\Z")
 
 
-def pin_names(pin: platform.Pin, board: platform.Board) -> tuple[str, ...]:
-    """What a user may call a pin: its label, its aliases, and where all labels have one prefix (`GP9`) its number (`9`, `D9`)."""
-    labels = [_COUNTED.match(str(each.label)) for each in board.pins]
-    prefixes = {label[1] if label is not None else "" for label in labels}
-    own = _COUNTED.match(str(pin.label))
-    numbers = (own[2], f"D{own[2]}") if own is not None and len(prefixes) == 1 else ()
-    return (str(pin.label), *(str(alias) for alias in pin.aliases), *numbers)
+def pins_by_name(board: platform.Board) -> dict[str, platform.Pin]:
+    """What a user may call each pin: label, aliases, and where all labels have one prefix (`GP9`) the number (`9`, `D9`)."""
+    pins = {str(pin.label): pin for pin in board.pins}
+    counted = [_COUNTED.match(label) for label in pins]
+    numbered = len({each[1] if each is not None else "" for each in counted}) == 1
+    found: dict[str, platform.Pin] = {}
+    for own, (label, pin) in zip(counted, pins.items(), strict=True):
+        numbers = (own[2], f"D{own[2]}") if numbered and own is not None else ()
+        for name in (label, *(str(alias) for alias in pin.aliases), *numbers):
+            found.setdefault(name, pin)
+    return found
 
 
 class BoardPins(Struct, frozen=True):

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import migration
-from robosmi.transformations.knowledge.platforms.board_pins import pin_names
+from robosmi.transformations.knowledge.platforms.board_pins import pins_by_name
 from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 
 DIFFERENT, GONE = "RS413", "RS414"
@@ -101,7 +101,8 @@ def differences(
         told = [("the command line", of_flag), (project_place.name if project_place else "the project file", of_project)]
         told.append(("the last plan", kept.value if kept is not None else None))
         counted = [(who, value) for who, value in told if value is not None]
-        if len({_meant(value, plan) for _, value in counted}) > 1:
+        different = {value for _, value in counted}
+        if len(different) > 1 and len({_meant(value, plan) for value in different}) > 1:
             others = "; ".join(f"{who} has {value}" for who, value in counted[1:])
             message = f"{subject}: {counted[0][1]} from {counted[0][0]} is used; {others}"
             place = Location(str(project_place)) if project_place is not None and of_project is not None else None
@@ -139,9 +140,8 @@ def _meant(value: str, plan: migration.MigrationPlan) -> object:
     for connection in plan.connections:
         if connection.pin is not None and value in (connection.name, former_name(connection)):
             return id(connection.pin)
-    board = plan.board
-    pins = [pin for pin in board.pins if value in pin_names(pin, board)] if board is not None else []
-    return id(pins[0]) if pins else value.lower()
+    pin = pins_by_name(plan.board).get(value) if plan.board is not None else None
+    return id(pin) if pin is not None else value.lower()
 
 
 def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]:

@@ -27,7 +27,7 @@ from robosmi.errors import TooLargeError, UsageError, did_you_mean, placed
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
-from robosmi.transformations.knowledge.platforms.board_pins import pin_names
+from robosmi.transformations.knowledge.platforms.board_pins import pins_by_name
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import (
@@ -325,11 +325,11 @@ def _chosen(
 ) -> tuple[migration.Connection | None, platform.Pin | None]:
     """The connection that the user's choice names, or the pin if no connection is there."""
     named = [c for c in connections if c.name == said] or [c for c in connections if former_name(c) == said]
-    on_pin = [c for c in connections if c.pin is not None and said in pin_names(c.pin, board)]
+    pin = pins_by_name(board).get(said)
+    on_pin = [c for c in connections if pin is not None and c.pin is not None and c.pin.label == pin.label]
     if named or on_pin:
         connection = (named or on_pin)[0]
         return connection, connection.pin
-    pin = next((p for p in board.pins if said in pin_names(p, board)), None)
     if pin is None:
         if not connections:
             raise UsageError(
