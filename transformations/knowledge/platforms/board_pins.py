@@ -28,7 +28,7 @@ def pins_by_name(board: platform.Board) -> dict[str, platform.Pin]:
     found: dict[str, platform.Pin] = {}
     for own, (label, pin) in zip(counted, pins.items(), strict=True):
         numbers = (own[2], f"D{own[2]}") if numbered and own is not None else ()
-        for name in (label, *(str(alias) for alias in pin.aliases), *numbers):
+        for name in (label, *map(str, pin.aliases), *numbers):
             found.setdefault(name, pin)
     return found
 

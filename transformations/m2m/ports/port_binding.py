@@ -325,11 +325,12 @@ def _chosen(
 ) -> tuple[migration.Connection | None, platform.Pin | None]:
     """The connection that the user's choice names, or the pin if no connection is there."""
     named = [c for c in connections if c.name == said] or [c for c in connections if former_name(c) == said]
+    if named:
+        return named[0], named[0].pin
     pin = pins_by_name(board).get(said)
     on_pin = [c for c in connections if pin is not None and c.pin is not None and c.pin.label == pin.label]
-    if named or on_pin:
-        connection = (named or on_pin)[0]
-        return connection, connection.pin
+    if on_pin:
+        return on_pin[0], on_pin[0].pin
     if pin is None:
         if not connections:
             raise UsageError(
