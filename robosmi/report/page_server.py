@@ -101,9 +101,9 @@ class PageServer(ThreadingHTTPServer):
         super().process_request(request, client_address)
 
     def wait_for(self, connection: socket.socket) -> None:
-        """A connection may send its next request."""
+        """A connection may send its next request; the time of a new one runs from when it came."""
         with self._counted:
-            self._waiting[connection] = time.monotonic() + PATIENCE
+            self._waiting.setdefault(connection, time.monotonic() + PATIENCE)
 
     def have(self, connection: socket.socket) -> None:
         """A connection has sent its request, or has ended."""

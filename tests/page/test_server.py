@@ -10,6 +10,7 @@ import shutil
 import socket
 import time
 from collections.abc import Iterator, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -146,11 +147,11 @@ def test_there_are_no_other_methods(method: str, server: PageServer) -> None:
 
 
 def test_connections_that_send_nothing_do_not_pile_up(server: PageServer) -> None:
-    idle = [socket.create_connection(("127.0.0.1", server.server_address[1]), timeout=5) for _ in range(MOST_WAITING + 8)]
-    assert [each.recv(1) for each in idle[:8]] == [b""] * 8
-    assert asked(server, f"/{server.token}/state")[0] == 200
-    for each in idle:
-        each.close()
+    place = ("127.0.0.1", server.server_address[1])
+    with ExitStack() as open_sockets:
+        idle = [open_sockets.enter_context(socket.create_connection(place, timeout=5)) for _ in range(MOST_WAITING + 8)]
+        assert [each.recv(1) for each in idle[:8]] == [b""] * 8
+        assert asked(server, f"/{server.token}/state")[0] == 200
 
 
 @pytest.mark.parametrize("method", ["GET", "POST"])
