@@ -34,7 +34,7 @@ from robosmi.transformations.queries.plans.choices import (
     used_by,
 )
 from robosmi.transformations.queries.plans.moved_wires import moved_wiring
-from robosmi.transformations.queries.plans.plan import as_findings
+from robosmi.transformations.queries.plans.plan import as_findings, ports_by_pin
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, bound_pin
 from robosmi.transformations.queries.plans.verdicts import verdict_counts
 from robosmi.transformations.queries.reports.work import Work
@@ -312,10 +312,7 @@ def wiring(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings
         sources: path of a unit -> its bytes.
         findings: of the plan, as the project file judges them.
     """
-    ports: dict[str, list[str]] = {}
-    for binding in plan.portBindings:
-        if binding.pin is not None:
-            ports.setdefault(binding.pin.label, []).append(str(binding.name))
+    ports = ports_by_pin(plan)
     wrong = [finding for finding in findings if finding.rule.startswith("RS2") and "accepted" not in finding.evidence]
     rows = [
         (
