@@ -163,7 +163,9 @@ def NoAddressIsANumber(u: ccode.SourceUnit) -> bool | Fail:
     view = m.view(u)
     if retains_platform(m.plan):
         return True
-    here = [cast for cast in view.of_kind(ccode.Cast) if _is_pointer(cast.target) and _is_used(cast) and _is_number(view, cast)]
+    here = [
+        cast for cast in view.of_kind(ccode.Cast) if _is_pointer(cast.target) and _is_used(view, cast) and _is_number(view, cast)
+    ]
     wrong = f"the program uses a fixed address, where the target has something else ({in_lines(here)})"
     return not here or Fail(wrong, places=tuple(here))
 
@@ -172,29 +174,37 @@ def _is_pointer(kind: ccode.TypeUse | None) -> bool:
     return kind is not None and int(kind.pointerDepth) > 0
 
 
-def _is_used(cast: ccode.Cast) -> bool:
-    """Whether a pointer is looked through where it is made, or kept; one that is compared or handed on is often a mark only."""
+def _is_used(view: CodeView, cast: ccode.Cast) -> bool:
+    """Whether a pointer is looked through where it is made, kept, or given to a function of C; others are often marks only."""
     outer = cast.eContainer()
     while isinstance(outer, ccode.Binary) and outer.operator in ("+", "-"):
         outer = outer.eContainer()
     if isinstance(outer, (ccode.Assignment, ccode.Variable, ccode.InitializerList)):
-        return not _is_sentinel(cast)
+        kind = cast.target
+        of_nothing = isinstance(cast.operand, ccode.Unary) or (kind is not None and str(kind.spelling).startswith("void"))
+        return not of_nothing and not _is_null(cast)
+    if isinstance(outer, ccode.Call):
+        return view.kind(str(outer.calleeName)) == "standard" and not _is_null(cast)
     through = isinstance(outer, ccode.Unary) and outer.operator == "*"
     return through or (isinstance(outer, ccode.Member) and bool(outer.arrow)) or isinstance(outer, ccode.Index)
 
 
-def _is_sentinel(cast: ccode.Cast) -> bool:
-    """Whether a kept pointer is null, all ones, or to nothing in particular."""
-    kind = cast.target
-    assert kind is not None
-    of_nothing = str(kind.spelling).startswith("void") or isinstance(cast.operand, ccode.Unary)
-    return of_nothing or (isinstance(cast.operand, ccode.IntegerLiteral) and cast.operand.text.strip("0xXuUlL") == "")
+def _is_null(cast: ccode.Cast) -> bool:
+    return isinstance(cast.operand, ccode.IntegerLiteral) and cast.operand.text.strip("0xXuUlL") == ""
 
 
 def _is_number(view: CodeView, cast: ccode.Cast) -> bool:
     """Whether the value of a cast is a number that the text alone gives, and no address."""
     operand = cast.operand
-    if operand is None or any(isinstance(each, (ccode.StringLiteral, ccode.Cast)) for each in all_contents(operand)):
+    if operand is None or any(_is_address(each) for each in all_contents(operand)):
         return False
     found = view.values.of(operand)
     return is_constant(operand) or (bool(found) and all(value.number is not None for value in found))
+
+
+def _is_address(part: object) -> bool:
+    """Whether a part of an expression is a text, an array, a pointer or a function, or takes an address."""
+    if isinstance(part, ccode.NameReference):
+        use = part.target.valueType if isinstance(part.target, ccode.Variable) else None
+        return isinstance(part.target, ccode.Function) or (use is not None and (bool(use.arrayDims) or _is_pointer(use)))
+    return isinstance(part, ccode.StringLiteral) or (isinstance(part, ccode.Unary) and str(part.operator) == "&")
