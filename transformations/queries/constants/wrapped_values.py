@@ -26,6 +26,8 @@ _GROWING = frozenset(["+", "-", "*", "<<"])
 _CLOSED = _GROWING | {"&", "|", "^"}
 """Operators whose result modulo a power of two depends only on the operands modulo that power."""
 _REAL_RULES: Mapping[str, Callable[[float, float], float]] = {"+": add, "-": sub, "*": mul, "/": truediv}
+_MOST_NESTED = 100
+"""Levels of a calculation with real numbers that are followed."""
 _LOOKED_AT = (ccode.Binary, ccode.Unary, ccode.Cast, ccode.Call, ccode.ConditionalExpression)
 _STEPS = frozenset(["+=", "-=", "*=", "<<="])
 _ROUNDS = 3
@@ -59,6 +61,7 @@ class WrappedValues:
             self._ranges = self._made()
 
     def _made(self) -> Ranges:
+        self._known_ends: dict[int, tuple[float, float] | None] = {}  # which follow from ranges
         functions = {
             each.name: FunctionType(each.entry.detail, ())
             for view in self.views
@@ -173,8 +176,16 @@ class WrappedValues:
             return False
         return not number.least <= int(ends[0]) <= int(ends[1]) <= number.most
 
-    def _ends(self, expression: ccode.Expression | None) -> tuple[float, float] | None:
-        """The least and the greatest value of a calculation with real numbers, None where the text does not say them."""
+    def _ends(self, expression: ccode.Expression | None, depth: int = 0) -> tuple[float, float] | None:
+        """The least and the greatest value of a calculation with real numbers; None where the text does not say them.
+
+        Neither are they known where it nests too deep, also by constants of constants.
+        """
+        if id(expression) not in self._known_ends:
+            self._known_ends[id(expression)] = self._ends_of(expression, depth + 1) if depth < _MOST_NESTED else None
+        return self._known_ends[id(expression)]
+
+    def _ends_of(self, expression: ccode.Expression | None, depth: int) -> tuple[float, float] | None:
         if isinstance(expression, ccode.FloatingLiteral):
             try:
                 value = float(str(expression.text).rstrip("fFlL"))
@@ -182,16 +193,16 @@ class WrappedValues:
                 return None
             return (value, value) if isfinite(value) else None
         if isinstance(expression, ccode.Cast):
-            return self._ends(expression.operand)
+            return self._ends(expression.operand, depth)
         if isinstance(expression, ccode.NameReference) and isinstance(held := expression.target, ccode.Variable):
             of = self.number(expression)
             if of is not None and of.real:
                 constant = held.valueType is not None and "const" in str(held.valueType.spelling).split()
-                return self._ends(held.initializer) if constant else None
+                return self._ends(held.initializer, depth) if constant else None
         if not isinstance(expression, ccode.Binary) or (of := self.number(expression)) is None or not of.real:
             found = self._ranges.of(expression)
             return (found.low, found.high) if found is not None else None
-        left, right = self._ends(expression.left), self._ends(expression.right)
+        left, right = self._ends(expression.left, depth), self._ends(expression.right, depth)
         rule = _REAL_RULES.get(str(expression.operator))
         if rule is None or left is None or right is None or (expression.operator == "/" and right[0] <= 0 <= right[1]):
             return None

@@ -52,3 +52,13 @@ def test_nothing_changes_for_a_board_with_the_same_processor(case: str, tmp_path
     sketch = CASES / case / case / f"{case}.ino"
     robosmi.migrate([sketch], tmp_path / "out", target="nano", source_board="uno")
     assert (tmp_path / "out" / case / f"{case}.ino").read_text() == sketch.read_text()
+
+
+@pytest.mark.parametrize("constants", [40, 1500])
+def test_constants_of_constants_are_followed_once_and_not_without_end(constants: int, tmp_path: Path) -> None:
+    sums = "".join(f"const float a{n} = a{n - 1} {'+ a' + str(n - 1) if n < 41 else '* 1.0'};\n" for n in range(1, constants + 1))
+    sketch = tmp_path / "sums" / "sums.ino"
+    sketch.parent.mkdir()
+    sketch.write_text(f"const float a0 = 1.5;\n{sums}int sum;\nvoid setup() {{ sum = a20 * 1.0; }}\nvoid loop() {{}}\n")
+    robosmi.migrate([sketch], tmp_path / "out", target="pico", source_board="uno")
+    assert "int16_t sum;" in (tmp_path / "out" / "sums" / "sums.ino").read_text()
