@@ -243,7 +243,7 @@ UNDEFINED = frozenset(
 """Rules about variables that are declared but defined in no file: the declaration becomes a definition, or is left alone."""
 _TO_DO = frozenset({"RS312", "RS321", "RS337", "RS342", "RS350", "RS351"})
 """Rules of warnings that leave something to be written: C that C++ refuses, code that needs a core of its own, names that are
-defined twice, addresses of registers."""
+defined twice, addresses of registers and those written as numbers."""
 
 
 def unserved_headers(plan: migration.MigrationPlan) -> dict[str, str]:
