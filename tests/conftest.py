@@ -25,6 +25,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     tiers.add_option(parser)
 
 
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """What `-n auto` means."""
+    return tiers.workers(config.getoption("tier"))
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Have real EMF judge every model that a test writes, and keep fixtures of modules, too, out of the data of the person."""
     folder = config.stash[_HOME] = tempfile.TemporaryDirectory(prefix="robosmi-tests-")
