@@ -498,7 +498,7 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         meets, (remarks, reasons) = may_meet(seat, connection), remarks_for(seat, connection)
         number = number_for(seat, connection)
         usual = [_usual_components(seat)] if meets and not found.points else []
-        said = [*found.reasons, *usual, *reasons, *filter(None, [number])]
+        said = [*found.reasons, *reasons, *filter(None, [number]), *usual]
         score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 or number else 0.1
         option = migration.Option(
             label=connection.name, score=score,
@@ -545,7 +545,7 @@ def _drawing(connection: migration.Connection) -> Location | None:
 
 
 def _usual_components(seat: Seat) -> str:
-    return f"such a port usually connects to: {', '.join(sorted(seat.usual or [seat.role]))}"
+    return f"usual parts: {', '.join(sorted(seat.usual or [seat.role]))}"
 
 
 def _confidence(found: Fit, first: bool) -> float:
