@@ -9,10 +9,9 @@ Words and kinds are those of `queries.circuits.component_kinds`. Which port gets
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import TypeAlias
 
 from msgspec import Struct
 
@@ -34,7 +33,6 @@ from robosmi.transformations.queries.circuits.component_kinds import (
 from robosmi.transformations.queries.code import unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.port_pins import measures
-from robosmi.transformations.queries.values import Values
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
 _BY_NUMBER = ("literal", "runtime")
@@ -189,36 +187,6 @@ def remarks_of_own(seat: Seat) -> float:
     """How much the remarks of a port speak for what boards of the source have there themselves."""
     words = significant_words([seat.own])
     return float(sum(len(remark.words & words) for remark in seat.remarks))
-
-
-ValuesOf: TypeAlias = Callable[[ccode.SourceUnit], Values]
-AUDIBLE_HZ = range(20, 20_001)
-"""What people hear."""
-
-
-def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int], values: ValuesOf) -> frozenset[str]:
-    """The kinds of components that tones of these frequencies are for; empty if the uses disagree or are no tones.
-
-    Args:
-        uses: of one port.
-        tones: function that makes a tone -> the place of its frequency among its arguments.
-        values: of expressions in a unit; it remembers what it has found.
-    """
-    numbers = {number for use in uses if use.function in tones for number in _frequencies(use.call, tones[use.function], values)}
-    if numbers and all(number in AUDIBLE_HZ for number in numbers):
-        return known_roles().audible
-    if numbers and all(number is not None and number >= AUDIBLE_HZ.stop for number in numbers):
-        return known_roles().inaudible
-    return frozenset()
-
-
-def _frequencies(call: ccode.Expression, place: int, values: ValuesOf) -> set[int | None]:
-    """The values that an argument of a call may have, with None for those that only the running program knows."""
-    unit = unit_of(call)
-    if unit is None or unit.program is None:
-        return {None}
-    given = list(call.arguments)[place : place + 1] if isinstance(call, ccode.Call) else []
-    return {value.number for each in given for value in values(unit).of(each)}
 
 
 def _remarks(use: PinUse) -> Iterator[Remark]:

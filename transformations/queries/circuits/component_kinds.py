@@ -28,6 +28,8 @@ EMPTY_WORDS = frozenset(
 """Words that say nothing of a device."""
 SENDS, RECEIVES = frozenset(["tx", "txd", "txo", "dout", "sout"]), frozenset(["rx", "rxd", "rxi", "din", "sin"])
 """Connectors by which a component sends to the board, and those by which it receives from it."""
+AUDIBLE_HZ = range(20, 20_001)
+"""What people hear."""
 SERIAL = "serial device"
 """The kind of what has the connectors of a serial line."""
 
@@ -138,6 +140,15 @@ def misleading_title(connection: migration.Connection) -> str:
             return f"its title mixes letters of {' and '.join(sorted(alphabets))}"
     negated = known_roles().negations & {word.lower() for word in _WORDS.findall(title)}
     return f"its title says what it is not ('{min(negated)}')" if negated else ""
+
+
+def tone_kinds(frequencies: Set[int | None]) -> frozenset[str]:
+    """The kinds of components that tones of these frequencies (Hz, None if unknown) are for; empty if they disagree."""
+    if frequencies and all(number in AUDIBLE_HZ for number in frequencies):
+        return known_roles().audible
+    if frequencies and all(number is not None and number >= AUDIBLE_HZ.stop for number in frequencies):
+        return known_roles().inaudible
+    return frozenset()
 
 
 def known_roles() -> PortWords:
