@@ -66,7 +66,10 @@ def test_the_picture_has_all_of_them_and_the_pins(program: migration.MigrationPl
     ("name", "drawn"),
     [
         ("tones.c", {"P4": "speaker", "P11": "led", "P10": "button", "P26": "led", "P6": "light_sensor"}),
-        ("robot.ino", {"lcd": "display", "arm": "servo", "trig": "ranger", "echo": "ranger", "D13": "led", "A0": "potentiometer"}),
+        (
+            "robot.ino",
+            {"lcd": "display", "arm": "servo", "trig": "ranger", "echo": "ranger", "D13": "led", "A0": "potentiometer"},
+        ),
     ],
 )
 def test_parts_are_drawn_as_what_their_functions_are_usually_used_with(name: str, drawn: dict[str, str]) -> None:
