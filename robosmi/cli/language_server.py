@@ -151,7 +151,7 @@ class _Service:
             return None
 
     def _publish(self, path: Path, findings: Sequence[Finding], version: int | None = None) -> None:
-        """Show findings at their files, and take back those that were shown before; the examined text with its version is last."""
+        """Show findings at their files, and take back those shown before; the examined text comes last."""
         by_file: dict[Path, list[Finding]] = {}
         for finding in findings:
             by_file.setdefault(_file(finding, path), []).append(finding)
