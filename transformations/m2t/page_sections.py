@@ -88,9 +88,8 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
     roles = [_role(told[identity], output) for identity in told if identity.startswith("role:")]
     open_ = [one for one in shown if one["open"]]
-    drawing = plan.circuit is None and any(one["kind"] == "port" for one in open_)
     made = [one for one in shown if not one["open"]]
-    return {"open": open_, "made": made, "roles": roles, "total": len(shown), "wants_drawing": drawing}
+    return {"open": open_, "made": made, "roles": roles, "total": len(shown)}
 
 
 def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
