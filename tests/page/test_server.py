@@ -201,7 +201,7 @@ def test_a_kept_edit_is_said_with_the_choice(out: Path) -> None:
     page.document(live=True, nonce="n")
     done = page.act("choose", {"id": "port:eye", "value": "D4", "plan": page.now()})
     assert done["state"] == "saved"
-    assert "your edit of the generated text is kept" in done["message"]
+    assert " Your edit of the generated text is kept" in done["message"]
     assert sketch.read_text().startswith("// mine")
 
 
