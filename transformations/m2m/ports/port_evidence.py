@@ -28,6 +28,7 @@ from robosmi.transformations.queries.circuits.component_kinds import (
     kinds_of,
     kinds_of_part,
     known_roles,
+    side_of,
     significant_words,
 )
 from robosmi.transformations.queries.code import unit_of
@@ -157,11 +158,11 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
 
 def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, list[str]]:
     """How much the remarks of a port speak for a connection (below 0: against it), and the reasons."""
+    points, reasons = _sides(seat, connection)
     if not seat.remarks:
-        return 0.0, []
+        return points, reasons
     known = known_roles()
     theirs, kinds = significant_words(component_texts(connection)), kinds_of(connection)
-    points, reasons = 0.0, []
     for remark in seat.remarks:
         named = {role for role, words in known.roles.items() if remark.words & words}
         shared = sorted(remark.words & theirs) or sorted(named & kinds)
@@ -171,6 +172,22 @@ def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, li
             points += len(shared)
             reasons.append(f"{remark.place} says '{', '.join(shared)}'")
     return points, reasons
+
+
+def _sides(seat: Seat, connection: migration.Connection) -> tuple[float, list[str]]:
+    """How much the sides speak for a connection, where a letter at the end of a name stands for one (servoL), and the reasons."""
+    title = str(connection.component.title) if connection.component is not None else ""
+    letter, names = side_of(title), (str(seat.binding.name), *map(str, seat.binding.names))
+    mine = {side for name in names if (side := side_of(name))}
+    if not letter and not mine:
+        return 0.0, []
+    mine |= significant_words(seat.words)
+    theirs = {letter} if letter else significant_words([title])
+    for group in known_roles().apart:
+        if mine & group and theirs & group:
+            same = sorted(mine & theirs & group)
+            return (1.0, [f"both names mean '{same[0]}'"]) if same else (-2.0, [])
+    return 0.0, []
 
 
 def number_for(seat: Seat, connection: migration.Connection) -> str:
