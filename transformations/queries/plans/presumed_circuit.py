@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
+from typing import Any
 
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import all_contents
@@ -68,7 +69,8 @@ class _Kinds:
     """What the functions of a plan's source platform are usually used with."""
 
     def __init__(self, plan: migration.MigrationPlan) -> None:
-        facts = ApiIndex.load(str(plan.source.name)).settings.get("ports", {}) if plan.source is not None else {}
+        api = ApiIndex.load(str(plan.source.name)) if plan.source is not None else None
+        facts: Mapping[str, Any] = api.settings.get("ports", {}) if api is not None else {}
         self._tones: Mapping[str, int] = facts.get("tones", {})
         self._usual: Mapping[str, Sequence[str]] = facts.get("usual") or facts.get("pictured", {})
         self._values: ValuesOf = cache(lambda unit: Values(unit.program, unit))
