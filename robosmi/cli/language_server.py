@@ -130,16 +130,17 @@ class _Service:
         path = _path(uri)
         if path is None:
             return
-        self.worker.submit(self.editor.texts.update, {path: self.server.workspace.get_text_document(uri).source})
+        document = self.server.workspace.get_text_document(uri)
+        self.worker.submit(self.editor.texts.update, {path: document.source})
         if (task := self.waiting.get(path)) is not None:
             task.cancel()
-        self.waiting[path] = asyncio.create_task(self._examine(path))
+        self.waiting[path] = asyncio.create_task(self._examine(path, document.version))
 
-    async def _examine(self, path: Path) -> None:
+    async def _examine(self, path: Path, version: int | None) -> None:
         await asyncio.sleep(PAUSE_S)
         done = await self._asked(lambda: self.editor.examine(path))
         if done is not None:
-            self._publish(path, [*map(as_finding, done.errors), *done.findings])
+            self._publish(path, [*map(as_finding, done.errors), *done.findings], version)
 
     async def _asked(self, question: Callable[[], T]) -> T | None:
         """The editor's answer; None where it fails, which the log says: a server that ended would answer nothing more."""
@@ -149,15 +150,16 @@ class _Service:
             self.server.window_log_message(lsp.LogMessageParams(lsp.MessageType.Error, as_error(error).message))
             return None
 
-    def _publish(self, path: Path, findings: Sequence[Finding]) -> None:
-        """Show findings at their files, and take back those that were shown before."""
+    def _publish(self, path: Path, findings: Sequence[Finding], version: int | None = None) -> None:
+        """Show findings at their files, and take back those shown before; the examined text comes last."""
         by_file: dict[Path, list[Finding]] = {}
         for finding in findings:
             by_file.setdefault(_file(finding, path), []).append(finding)
-        for file in {path, *self.shown.get(path, ()), *by_file}:
+        for file in [*sorted({*self.shown.get(path, ()), *by_file} - {path}), path]:
             lines = self._lines(file)
             told = [_diagnostic(finding, file, lines) for finding in by_file.get(file, [])]
-            self.server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(str(from_fs_path(str(file))), told))
+            about = lsp.PublishDiagnosticsParams(str(from_fs_path(str(file))), told, version if file == path else None)
+            self.server.text_document_publish_diagnostics(about)
         self.shown[path] = {*by_file}
 
     def _lines(self, file: Path) -> list[str]:

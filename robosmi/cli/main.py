@@ -77,13 +77,13 @@ GROUPS = {
     "models": {
         "query": "query a model of any technology",
         "diff": "compare two models or two migrations and list what differs",
-        "merge": "merge two models that were made from one",
+        "merge": "merge two edited copies of a model",
         "run": "run the steps of a chain that have changed",
         "corpus": "run many programs and collect their results in tables",
         "metamodels": "export the metamodels, or generate Python packages from one",
     },
     "data": {
-        "targets": "list the boards that programs can be moved to, and what results are proven by",
+        "targets": "list the target boards, and how results on each are tested",
         "adapters": "list, show and save adapters (replacements for the source platform's functions)",
         "history": "list, export and import earlier library choices",
         "libraries": "install libraries, and add installed ones to the index",

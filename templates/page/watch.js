@@ -230,7 +230,7 @@
       if (control.shown === value) continue;
       control.shown = value;
       if (control.type === "range" && control !== document.activeElement) control.value = value;
-      if (control.type === "range") control.nextElementSibling.textContent = String(value);
+      if (control.type === "range") control.nextElementSibling.textContent = `${value} ${control.input.unit}`.trim();
       if (control.type === "button") control.setAttribute("aria-pressed", String(value === 1));
     }
     const there = Math.min(1, at / run.ms);
@@ -334,6 +334,7 @@
   }
 
   async function save() {
+    by("save-status").textContent = "Saving ...";
     const name = by("case-name").value.trim(), unnamed = { state: "refused", message: "Give the test case a name." };
     const answer = name ? await ask({ ...asked(Math.max(100, run.ms)), save: name }).catch(() => ({ state: "refused", message: "The server does not answer." })) : unnamed;
     const unsure = answer.state === "done" && run.compared && !run.difference && run.verdict !== "no-difference-found" && run.reason;
@@ -360,6 +361,7 @@
 
   section.addEventListener("change", event => {
     const control = event.target;
+    if (control.id === "case" && run && section.querySelector("[data-run]").dataset.run === "running") start();
     if (!("input" in control.dataset) || !run) return;
     if (control.type === "range") move(control, Number(control.value));
     else if (control.type === "text" && control.value) {

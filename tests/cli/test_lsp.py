@@ -30,24 +30,25 @@ def robot(tmp_path: Path) -> Path:
 def test_an_editor_is_shown_findings_completions_and_choices(robot: Path) -> None:
     """One conversation: a wrong port is reported as it is typed, completed, and the open port's choice is taken."""
     path = robot / "robosmi.toml"
-    uri, text = path.as_uri(), path.read_text()
+    uri, program, text = path.as_uri(), (robot / "finder.c").as_uri(), path.read_text()
 
     async def talk() -> None:
         client = LanguageClient("test", "1")
         shown = dict[str, list[lsp.Diagnostic]]()
-        news = asyncio.Event()
+        news, examined = asyncio.Event(), -1
 
         def take(about: lsp.PublishDiagnosticsParams) -> None:
+            nonlocal examined
             shown[about.uri] = list(about.diagnostics)
+            examined = about.version if about.version is not None else examined
             news.set()
 
         client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
 
-        async def until(rules: set[object], at: str) -> list[lsp.Diagnostic]:
-            while {each.code for each in shown.get(at, ())} != rules:
+        async def until_examined() -> None:
+            while examined != version:
                 news.clear()
                 await asyncio.wait_for(news.wait(), 30)
-            return shown[at]
 
         version = 0
 
@@ -63,14 +64,18 @@ def test_an_editor_is_shown_findings_completions_and_choices(robot: Path) -> Non
         await client.initialize_async(lsp.InitializeParams(capabilities=lsp.ClientCapabilities()))
         client.initialized(lsp.InitializedParams())
         client.text_document_did_open(lsp.DidOpenTextDocumentParams(lsp.TextDocumentItem(uri, "toml", 0, text)))
-        (open_port,) = await until({"RS330"}, (robot / "finder.c").as_uri())
+        await until_examined()
+        (open_port,) = shown[program]
+        assert open_port.code == "RS330"
         assert (open_port.range.start.line, open_port.severity) == (7, lsp.DiagnosticSeverity.Warning)
 
         await typed(f"{text}\n[bind]\nirleft = 'D12'\n")
-        (wrong,) = await until({"RS901"}, uri)
+        await until_examined()
+        (wrong,) = shown[uri]
+        assert wrong.code == "RS901"
         assert "did you mean 'irLeft'?" in wrong.message
         assert wrong.range.start.line == 4
-        assert shown[(robot / "finder.c").as_uri()] == []
+        assert shown[program] == []
 
         await typed(f'{text}\n[bind]\nirLeft = ""\n')
         place = lsp.CompletionParams(lsp.TextDocumentIdentifier(uri), lsp.Position(4, 10))
@@ -88,7 +93,8 @@ def test_an_editor_is_shown_findings_completions_and_choices(robot: Path) -> Non
         assert isinstance(lamp, lsp.CodeAction)
         (edit,) = ((lamp.edit and lamp.edit.changes) or {})[uri]
         await typed(edit.new_text)
-        await until(set(), (robot / "finder.c").as_uri())
+        await until_examined()
+        assert shown[program] == shown[uri] == []
         path.write_text(edit.new_text)
         await client.shutdown_async(None)
         client.exit(None)

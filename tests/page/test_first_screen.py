@@ -65,9 +65,9 @@ def test_the_first_screen_has_the_result_and_the_circuit(migrated: Any, serve: S
             assert 0 <= top < page.script("return innerHeight") - 100, name
             assert bottom > top
         height = "return document.documentElement.scrollHeight"  # with four open questions
-        assert page.script(height) <= 6.5 * 800
+        assert page.script(height) <= 5 * 800
         page.browser.set_window_size(390, 844)
-        assert page.script(height) <= 7.5 * 844
+        assert page.script(height) <= 6 * 844
         tops = "return ['result', 'circuit', 'works'].map(each => document.getElementById(each).getBoundingClientRect().top)"
         order = page.script(tops)
         assert order == sorted(order)

@@ -243,7 +243,11 @@ def test_the_live_part_runs_pauses_steps_takes_an_input_and_stops(out: Path, ser
 
 LONG = "a sensor whose name has no end " * 8
 MADE: dict[str, Any] = {
-    "state": "done", "ms": 400, "seconds": 0.1, "engine": "simavr", "scenario": "", "cases": [], "inputs": [], "ended": {},
+    "state": "done", "ms": 400, "seconds": 0.1, "engine": "simavr", "scenario": "", "cases": ["stored"], "ended": {},
+    "inputs": [
+        {"title": "eye", "setting": "points", "control": "range", "least": 2.2, "most": 299.6, "unit": "cm", "rest": 100.6,
+         "points": []}
+    ],
     "title": "", "why": "", "compared": True, "verdict": "no-difference-found", "difference": None,
     "console": {"original": [[0, "one\n"], [100, "two\n"]], "migrated": [[0, "one\n"], [300, "two\n"]]},
     "channels": [
@@ -263,7 +267,12 @@ def test_tones_show_as_notes_and_long_names_stay_in_their_place(tmp_path: Path, 
     robosmi.migrate([tmp_path / "lamp.c"], tmp_path / "out", target="uno")
     page = serve(tmp_path / "out")
     page.open()
-    page.script("const made = arguments[0]; window.fetch = async () => ({ json: async () => structuredClone(made) })", MADE)
+    page.script(
+        "const made = arguments[0]; window.asked = [];"
+        "window.fetch = async (path, about) => { if (about.body) asked.push(JSON.parse(about.body));"
+        " return { json: async () => structuredClone(made) }; }",
+        MADE,
+    )
     page.script("document.querySelector('[data-run]').click()")
     page.wait(lambda: page.script("return document.getElementById('clock').dataset.ms") == "400.0")
     texts = "return [...document.querySelectorAll('#watched td')].map(cell => cell.textContent)"
@@ -283,6 +292,11 @@ def test_tones_show_as_notes_and_long_names_stay_in_their_place(tmp_path: Path, 
     assert page.script("return document.documentElement.scrollWidth <= innerWidth")
     cells = "[...document.querySelectorAll('#watched tr > *')].every(cell => cell.scrollWidth <= cell.clientWidth)"
     assert page.script(f"return {cells}"), "a name leaves its cell"
+    assert page.script("return document.querySelector('#inputs label').textContent") == "eye  100.6 cm"
+    page.script(
+        "const c = document.getElementById('case'); c.value = 'stored'; c.dispatchEvent(new Event('change', {bubbles: true}))"
+    )
+    page.wait(lambda: page.script("return asked.some(about => about.scenario === 'stored')"))
 
 
 def test_the_report_says_how_to_run_it(out: Path) -> None:

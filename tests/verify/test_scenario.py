@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import HealthCheck, given, strategies as st
 
 from robosmi.errors import SourceError
 from robosmi.verify.scenario import Scenario, read_scenario
+from tests.tiers import examples
 
 TEXT = """
 name = "a checkpoint"
@@ -94,7 +95,7 @@ _NAME = st.text(min_size=1, max_size=12)
 Signals = dict[str, dict[str, tuple[tuple[float, object], ...]]]
 
 
-@settings(max_examples=80, suppress_health_check=[HealthCheck.too_slow])  # on a machine under load
+@examples(80, suppress_health_check=[HealthCheck.too_slow])  # on a machine under load
 @given(
     _NAME,
     st.floats(1000, 600_000),

@@ -193,10 +193,11 @@ class PlanPage:
             done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown, read=read)
             done.models.settled = True
             self._make(done.models, known=done.counted)
-            alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
-            where = f"in the plan and in {done.updated_project}" if done.project is not None else alone
-            kept = "".join(f" {note.message}." for note in done.findings if note.rule == _KEPT)
-            return f"Saved {where}: {identity} {f'= {value}' if value else 'is open again'}.{kept}", done.command, done.diff
+            where = f" and in {done.updated_project}" if done.project is not None else ""
+            told = [n.message for n in (*done.models.notes, *done.findings) if n.rule in (STAYS, _KEPT)]
+            notes = "".join(f" {message[:1].upper()}{message[1:]}." for message in dict.fromkeys(told))
+            now = f"= {value}" if value else "is open again"
+            return f"Saved in the plan{where}: {identity} {now}.{notes}", done.command, done.diff
         if what == "accept":
             return self._accept(about, shown)
         with at_work(self.output):

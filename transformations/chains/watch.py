@@ -441,13 +441,14 @@ def _inputs(ports: Sequence[BoundPort], scenario: Scenario) -> list[dict[str, Js
             title = name if own else port.name
             found.append({
                 "title": title, "setting": setting, "control": control, "least": ends[0], "most": ends[1],
+                "unit": facts.get("units", {}).get(setting, ""),
                 "rest": rest.get(setting), "points": [list(p) for p in scenario.signals.get(title, {}).get(setting, ())],
             })  # fmt: skip
     typed = scenario.signals.get(CONSOLE, {}).get(POINTS, ())
     facts = device_facts().get(TYPING, {})
     if facts:
         found.append({
-            "title": CONSOLE, "setting": POINTS, "control": "text", "least": 0, "most": 0, "rest": "",
+            "title": CONSOLE, "setting": POINTS, "control": "text", "least": 0, "most": 0, "unit": "", "rest": "",
             "points": [list(point) for point in typed],
         })  # fmt: skip
     return found

@@ -26,7 +26,7 @@ from robosmi.query import Q
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
-from robosmi.transformations.m2m.circuits.wokwi_wiring import wokwi_wiring
+from robosmi.transformations.m2m.circuits.wokwi_wiring import WITH_DRAWING, no_drawing, wokwi_wiring
 from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg
 from robosmi.transformations.m2t.circuits.wokwi_project import project_files
 from robosmi.transformations.m2t.pin_table import pin_table
@@ -34,7 +34,6 @@ from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.queries.circuits.electrical import fed_parts
 from robosmi.transformations.queries.plans.plan import as_findings
 
-_WITH_DRAWING = "run migrate with --hardware SKETCH"
 FORM: Final = "wiring form"
 """The registry's kind for formats: functions of `(models, OUT, path)` that return `Handed`."""
 
@@ -175,19 +174,15 @@ def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
     wrong = [f for f in as_findings(Q(plan.findings), models.places) if f.rule.startswith("RS2")]
     text = plan_svg(plan, wrong)
     if not text:
-        raise _no_drawing()
+        raise no_drawing()
     findings = []
     if plan.circuit is None:
         message = "no drawing given: the picture shows the ports of the program, without supplies and passive parts"
-        findings.append(Finding("RS210", Severity.info, message, Location(str(path)), fix=_WITH_DRAWING))
+        findings.append(Finding("RS210", Severity.info, message, Location(str(path)), fix=WITH_DRAWING))
     return Handed({"": text.encode()}, {"": "picture"}, findings)
 
 
 def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection]:
     if plan.circuit is None:
-        raise _no_drawing()
+        raise no_drawing()
     return list(plan.connections)
-
-
-def _no_drawing() -> SourceError:
-    return SourceError("the plan has no drawing and thus no wiring", fix=_WITH_DRAWING)

@@ -10,6 +10,7 @@ import base64
 import re
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from itertools import groupby
 from typing import Any
 
 from robosmi.base.data_text import Json
@@ -44,6 +45,10 @@ _SHOWN = 5
 """Number of errors on the first screen."""
 _EXPLAINED = 8
 """Answers to a question that are shown with their reasons; the further ones are buttons alone."""
+_WEAK = 0.1
+"""Score of an answer of which only the direction fits; it is shown without its reason where others have a better one."""
+_AT_ONCE = 8
+"""Findings of a severity that are shown at once; the further ones are folded."""
 _NAMED = 3
 """Parts of a pin that are listed by name."""
 CHUNK = 25
@@ -83,9 +88,8 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
     roles = [_role(told[identity], output) for identity in told if identity.startswith("role:")]
     open_ = [one for one in shown if one["open"]]
-    drawing = plan.circuit is None and any(one["kind"] == "port" for one in open_)
     made = [one for one in shown if not one["open"]]
-    return {"open": open_, "made": made, "roles": roles, "total": len(shown), "wants_drawing": drawing}
+    return {"open": open_, "made": made, "roles": roles, "total": len(shown)}
 
 
 def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
@@ -94,9 +98,9 @@ def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
         "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
         "by": WHO[told.by], "at": "", "why": told.why, "title": f"What is '{told.subject}' for?", "context": [],
         "answer": told.chosen, "pins": "", "ranked": [], "weaker": [], "command": f"robosmi choose {output} {told.id}=ROLE",
-        "drawn": [],
+        "drawn": [], "taken": [],
         "others": [
-            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen, "pin": "", "used": ""}
+            {"value": o.value, "label": o.value, "chosen": o.value == told.chosen, "pin": "", "hint": ""}
             for o in told.options
         ],
     }  # fmt: skip
@@ -114,11 +118,13 @@ def _choice(
 
     def answer_row(option: Option) -> dict[str, Json]:
         wire = pins.get(option.value)
+        on = _on(wire) if wire is not None else option.why
+        used = used_by(plan, decision, option.value) if isinstance(decision, migration.PortBinding) else ""
         return {
             "value": option.value, "why": option.why,
-            "chosen": option.value == told.chosen, "label": label_of(option.value), "title": _on(wire) if wire else "",
-            "facts": _facts(libraries[option.value]) if option.value in libraries else "", "pin": _pin(wire, option.value),
-            "used": used_by(plan, decision, option.value) if isinstance(decision, migration.PortBinding) else "",
+            "facts": _facts(libraries[option.value]) if option.value in libraries else "",
+            "chosen": option.value == told.chosen, "label": label_of(option.value), "pin": _pin(wire, option.value),
+            "used": used, "hint": "; ".join(filter(None, [f"used by {used}" if used else "", on])),
         }  # fmt: skip
 
     def label_of(value: str) -> str:
@@ -127,8 +133,10 @@ def _choice(
     first = [option for option in told.options[:1] if option.value == NOT_WIRED or option.score]
     best = [*first, *(option for option in told.options[1:] if option.score)]
     ranked = [answer_row(option) for option in best]
-    weaker = ranked[_EXPLAINED:]
+    strong = [row for option, row in zip(best, ranked, strict=True) if not port or option.score > _WEAK] or ranked
+    weaker = [*strong[_EXPLAINED:], *(row for row in ranked if row not in strong)]
     plain = [option for option in told.options if option not in best]
+    drawn = [answer_row(option) for option in plain if option.value in pins]
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told.chosen or "",
         "by": WHO[told.by], "at": told.at or "", "why": told.why, "table": how.table,
@@ -136,11 +144,19 @@ def _choice(
         "answer": label_of(told.chosen or ""),
         "context": context_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else [],
         "pins": " ".join(_pins_of(decision) if told.chosen else [str(row["pin"]) for row in ranked if row["pin"]]),
-        "ranked": ranked[:_EXPLAINED], "weaker": weaker,
-        "drawn": [answer_row(option) for option in plain if option.value in pins],
+        "ranked": _rows(strong[:_EXPLAINED]), "weaker": weaker,
+        "drawn": [row for row in drawn if not row["used"]], "taken": [row for row in drawn if row["used"]],
         "others": [answer_row(option) for option in plain if option.value not in pins],
         "command": f"robosmi choose {output} {one.id}={'PIN' if port else 'LIBRARY'}",
     }  # fmt: skip
+
+
+def _rows(options: Sequence[Mapping[str, Json]]) -> list[Mapping[str, Json]]:
+    """The options in rows, those that follow each other for the same reason in one."""
+    rows = [
+        (why, list(same)) for why, same in groupby(options, key=lambda o: "; ".join(str(o[n]) for n in ("why", "facts") if o[n]))
+    ]
+    return [{"why": why, "options": same, "chosen": any(option["chosen"] for option in same)} for why, same in rows]
 
 
 _NONE = {"port": "Not connected", "library": "No library"}
@@ -249,7 +265,7 @@ def check(plan: migration.MigrationPlan, findings: Sequence[Finding]) -> dict[st
             rows[finding.severity.name].append((*finding_row(finding), "", "", ""))
     titles = {**SEVERITIES, _ON_PURPOSE: "On purpose"}
     groups = [
-        {"title": title, "level": level, "total": len(rows[level]), "chunks": chunked(rows[level])}
+        {"title": title, "level": level, "total": len(rows[level]), "chunks": _first_few(rows[level])}
         for level, title in titles.items()
         if rows[level]
     ]
@@ -302,6 +318,11 @@ def finding_row(finding: Finding) -> tuple[str, str, str, str]:
 def chunked(rows: Sequence[Any]) -> list[Sequence[Any]]:
     """The rows in chunks of `CHUNK`."""
     return [rows[at : at + CHUNK] for at in range(0, len(rows), CHUNK)]
+
+
+def _first_few(rows: Sequence[Any]) -> list[Sequence[Any]]:
+    """The first rows, which are shown at once, and the others in chunks."""
+    return [rows[:_AT_ONCE], *chunked(rows[_AT_ONCE:])]
 
 
 def wiring(plan: migration.MigrationPlan, sources: Mapping[str, bytes], findings: Sequence[Finding]) -> dict[str, Any]:

@@ -8,9 +8,9 @@ name means. Structure of main is in `main_program`, values of pins in `pin_uses`
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -365,6 +365,19 @@ def unit_of(element: Element | None) -> ccode.SourceUnit | None:
     while element is not None and not isinstance(element, ccode.SourceUnit):
         element = element.eContainer()
     return element
+
+
+ValuesOf: TypeAlias = Callable[[ccode.SourceUnit], Values]
+"""The values of expressions in a unit; it remembers what it has found."""
+
+
+def argument_numbers(call: ccode.Expression, place: int, values: ValuesOf) -> set[int | None]:
+    """The numbers that an argument of a call may be, with None for those that only the running program knows."""
+    unit = unit_of(call)
+    if unit is None or unit.program is None:
+        return {None}
+    given = list(call.arguments)[place : place + 1] if isinstance(call, ccode.Call) else []
+    return {value.number for each in given for value in values(unit).of(each)}
 
 
 def _definitions(program: ccode.Program) -> set[str]:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def configure(parser: Options) -> None:
     """Add the command's options."""
-    parser.add_argument("shell", choices=sorted(_SCRIPTS), help="the shell that the script is for")
+    parser.add_argument("shell", choices=sorted(_SCRIPTS), help="shell to complete commands in")
 
 
 class _Arguments(argparse.Namespace):

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("before", metavar="A", type=Path, help="a model in XMI, JSON (.json) or .ecore, or an output folder")
-    parser.add_argument("after", metavar="B", type=Path, help="another one of the same metamodel, or a folder")
+    parser.add_argument("after", metavar="B", type=Path, help="a second model of the same metamodel, or another output folder")
     parser.add_argument(
         "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
         help="metamodel of both models; repeatable",

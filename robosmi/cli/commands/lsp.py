@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def configure(parser: Options) -> None:
     """Add the command's options."""
-    parser.add_argument("--stdio", action="store_true", help="use standard input and output, as always (some editors add it)")
+    parser.add_argument("--stdio", action="store_true", help="use standard input and output; always on, some editors add it")
 
 
 class _Arguments(argparse.Namespace):

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 def configure(parser: Options) -> None:
     """Add the command's options."""
-    parser.add_argument("base", metavar="BASE", type=Path, help="the model that A and B were made from")
-    parser.add_argument("a", metavar="A", type=Path, help="one model, whose layout the merged model gets")
-    parser.add_argument("b", metavar="B", type=Path, help="the other model")
+    parser.add_argument("base", metavar="BASE", type=Path, help="the model before both edits")
+    parser.add_argument("a", metavar="A", type=Path, help="one copy; the merged model gets its layout")
+    parser.add_argument("b", metavar="B", type=Path, help="the other copy")
     parser.add_argument("-o", dest="output", metavar="M", type=Path, required=True, help="the merged model; it may be A")
     parser.add_argument(
         "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,

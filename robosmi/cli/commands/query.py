@@ -46,7 +46,7 @@ def configure(parser: Options) -> None:
 
     parser.add_argument(
         "--kind", metavar="KIND", default="code",
-        help="of a corpus: the kind of models that are asked: code (default), hardware, plan or platform",
+        help="of a corpus: kind of models to query: code (default), hardware, plan or platform",
     )  # fmt: skip
     parser.add_argument("--store", metavar="URL", help="of a corpus: its database (default: OUT/corpus.sqlite)")
 

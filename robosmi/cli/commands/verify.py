@@ -30,16 +30,16 @@ def configure(parser: Options) -> None:
     parser.add_argument("--seed", metavar="N", type=int, default=1, help="seed of the scenario search (default: 1)")
     parser.add_argument(
         "--budget", metavar="SECONDS", type=_seconds,
-        help="search for scenarios for at most so long (default: 240 s of work, at most 720 s by the clock)",
+        help="longest search for scenarios (default: 240 s of work, at most 720 s by the clock)",
     )  # fmt: skip
     parser.add_argument(
         "--horizon", metavar="SECONDS", type=_horizon,
-        help="let scenarios last at most so long, and the one without inputs whole (default: what the program needs, up to 48 s)",
+        help="longest scenario; the one without inputs lasts exactly so long (default: as needed, up to 48 s)",
     )  # fmt: skip
     parser.add_argument("--trust-original", action="store_true", help="run the original even without a sandbox")
     parser.add_argument(
         "--require-coverage", metavar="PERCENT", type=_percent,
-        help="exit with 1 when an output was not compared, or fewer of the original's lines were reached",
+        help="exit with 1 if an output was not compared, or the scenarios reached fewer lines of the original",
     )  # fmt: skip
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
 

@@ -27,7 +27,7 @@ _SIDES: Mapping[str | None, int | None] = {"a": A, "b": B, None: None}
 
 
 class ModelMerge:
-    """The merge of two models that were made from one.
+    """The merge of two edited copies of a model.
 
     Args:
         base: what both were made from.

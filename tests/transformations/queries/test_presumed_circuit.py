@@ -10,6 +10,7 @@ import pytest
 import robosmi
 from robosmi.metamodels import hardware, migration
 from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg
+from robosmi.transformations.queries.circuits.drawn_symbols import symbol_of
 from robosmi.transformations.queries.plans.presumed_circuit import presumed_circuit
 from tests.running import run
 
@@ -59,6 +60,25 @@ def test_the_picture_has_all_of_them_and_the_pins(program: migration.MigrationPl
     assert {each.get("data-pin") for each in drawn.iter() if each.get("data-port")} == {"D4", "D9"}
     words = {str(each.text) for each in drawn.iter() if each.text}
     assert {"Arduino Uno", "lamp", "P5", "P7", "D4 = lamp", "D9 = P5"} <= words
+
+
+@pytest.mark.parametrize(
+    ("name", "drawn"),
+    [
+        ("tones.c", {"P4": "speaker", "P11": "led", "P10": "button", "P26": "led", "P6": "light_sensor"}),
+        (
+            "robot.ino",
+            {"lcd": "display", "arm": "servo", "trig": "ranger", "echo": "ranger", "D13": "led", "A0": "potentiometer"},
+        ),
+    ],
+)
+def test_parts_are_drawn_as_what_their_functions_are_usually_used_with(name: str, drawn: dict[str, str]) -> None:
+    circuit = presumed_circuit(robosmi.plan_migration([PROGRAMS / name], target="uno").plan)
+    assert circuit is not None
+    symbols = {part.title: symbol_of(part) for part in circuit.components if part.role is not hardware.Role.Board}
+    assert {title: symbol for title, (symbol, _) in symbols.items()} == drawn
+    if "P11" in symbols:
+        assert symbols["P11"][1] != symbols["P26"][1], "infrared light is dark"
 
 
 def test_a_plan_with_a_drawing_presumes_nothing(examples: Path) -> None:

@@ -35,6 +35,13 @@ from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, NotDrawn,
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 _GROUND, _SUPPLY = "GND", "5V"
+WITH_DRAWING = "run migrate with --hardware SKETCH"
+"""The advice where a plan has no drawing."""
+
+
+def no_drawing() -> SourceError:
+    """The error of a plan without a drawing."""
+    return SourceError("the plan has no drawing and thus no wiring", fix=WITH_DRAWING)
 
 
 def wokwi_wiring(plan: migration.MigrationPlan, project: Path | None = None) -> WokwiWiring:
@@ -49,7 +56,7 @@ def wokwi_wiring(plan: migration.MigrationPlan, project: Path | None = None) -> 
     """
     circuit, component, board = plan.circuit, plan.boardComponent, plan.board
     if circuit is None or component is None or board is None:
-        raise SourceError("the plan has no drawing and thus no wiring", fix="run migrate with --hardware SKETCH")
+        raise no_drawing()
     drawn = wokwi_board(board.name, project)
     if drawn is None:
         known = ", ".join(boards_of_wokwi(project))

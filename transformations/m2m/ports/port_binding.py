@@ -33,16 +33,15 @@ from robosmi.transformations.m2m.choices.stored_choices import UserChoice, expla
 from robosmi.transformations.m2m.ports.port_evidence import (
     Fit,
     Seat,
-    ValuesOf,
     fit,
     may_meet,
     number_for,
     remarks_for,
     remarks_of_own,
-    tone_kinds,
 )
-from robosmi.transformations.queries.circuits.component_kinds import kinds_of, misleading_title
+from robosmi.transformations.queries.circuits.component_kinds import kinds_of, misleading_title, tone_kinds
 from robosmi.transformations.queries.circuits.former_titles import former_name
+from robosmi.transformations.queries.code import ValuesOf, argument_numbers
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.plans.port_pins import CONSOLE, NOT_WIRED, WITHOUT_PIN
@@ -131,7 +130,7 @@ def bind_ports(
     free = [c for c in free if id(c) not in heard]
     values: ValuesOf = cache(_values)  # for all ports: many may share a variable
     tones: Mapping[str, int] = api.settings.get("ports", {}).get("tones", {})
-    heard_or_seen = frozenset().union(*(tone_kinds(port.uses, tones, values) for port in ports))
+    heard_or_seen = frozenset().union(*(tone_kinds(_frequencies(port, tones, values)) for port in ports))
     seats = [_seat(p, b, found, api, split, values) for p, b in zip(ports, bindings, strict=True) if b.open]
     seats = [replace(seat, unlike=heard_or_seen - seat.usual - {seat.role}) for seat in seats]
     for seat in seats:
@@ -213,6 +212,12 @@ def _is_split(port: Port, functions: frozenset[str]) -> bool:
     return bool(called) and called <= functions
 
 
+def _frequencies(port: Port, tones: Mapping[str, int], values: ValuesOf) -> set[int | None]:
+    """Those of the tones at a port; `tones` has the place of the frequency among the arguments of each function."""
+    used = (use for use in port.uses if use.function in tones)
+    return {number for use in used for number in argument_numbers(use.call, tones[use.function], values)}
+
+
 def _values(unit: ccode.SourceUnit) -> Values:
     assert unit.program is not None
     return Values(unit.program, unit)
@@ -227,7 +232,7 @@ def _seat(
     siblings += [p.name for p in found.ports if p.origin == "declaration"]
     role = _role(port, facts.get("roles", {}), api)
     names = [argument.parameter.name for argument in given]
-    usual = tone_kinds(port.uses, facts.get("tones", {}), values) or _usual(port, facts.get("usual", {}))
+    usual = tone_kinds(_frequencies(port, facts.get("tones", {}), values)) or _usual(port, facts.get("usual", {}))
     own = facts.get("own", {}).get(api.port_name(port.pin), "") if port.pin is not None else ""
     return Seat(binding, _words(port, api), names, siblings, role, usual, _is_split(port, split), port.uses, own)
 
@@ -498,7 +503,7 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         meets, (remarks, reasons) = may_meet(seat, connection), remarks_for(seat, connection)
         number = number_for(seat, connection)
         usual = [_usual_components(seat)] if meets and not found.points else []
-        said = [*found.reasons, *usual, *reasons, *filter(None, [number])]
+        said = [*found.reasons, *reasons, *filter(None, [number]), *usual]
         score = 0.5 if found.points > 0 else 0.3 if meets or remarks > 0 or number else 0.1
         option = migration.Option(
             label=connection.name, score=score,
@@ -545,7 +550,7 @@ def _drawing(connection: migration.Connection) -> Location | None:
 
 
 def _usual_components(seat: Seat) -> str:
-    return f"such a port usually connects to: {', '.join(sorted(seat.usual or [seat.role]))}"
+    return f"usual parts: {', '.join(sorted(seat.usual or [seat.role]))}"
 
 
 def _confidence(found: Fit, first: bool) -> float:

@@ -9,10 +9,9 @@ Words and kinds are those of `queries.circuits.component_kinds`. Which port gets
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import TypeAlias
 
 from msgspec import Struct
 
@@ -29,12 +28,12 @@ from robosmi.transformations.queries.circuits.component_kinds import (
     kinds_of,
     kinds_of_part,
     known_roles,
+    side_of,
     significant_words,
 )
 from robosmi.transformations.queries.code import unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.port_pins import measures
-from robosmi.transformations.queries.values import Values
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
 _BY_NUMBER = ("literal", "runtime")
@@ -159,11 +158,11 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
 
 def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, list[str]]:
     """How much the remarks of a port speak for a connection (below 0: against it), and the reasons."""
+    points, reasons = _sides(seat, connection)
     if not seat.remarks:
-        return 0.0, []
+        return points, reasons
     known = known_roles()
     theirs, kinds = significant_words(component_texts(connection)), kinds_of(connection)
-    points, reasons = 0.0, []
     for remark in seat.remarks:
         named = {role for role, words in known.roles.items() if remark.words & words}
         shared = sorted(remark.words & theirs) or sorted(named & kinds)
@@ -173,6 +172,22 @@ def remarks_for(seat: Seat, connection: migration.Connection) -> tuple[float, li
             points += len(shared)
             reasons.append(f"{remark.place} says '{', '.join(shared)}'")
     return points, reasons
+
+
+def _sides(seat: Seat, connection: migration.Connection) -> tuple[float, list[str]]:
+    """How much the sides speak for a connection, where a letter at the end of a name stands for one (servoL), and the reasons."""
+    title = str(connection.component.title) if connection.component is not None else ""
+    letter, names = side_of(title), (str(seat.binding.name), *map(str, seat.binding.names))
+    mine = {side for name in names if (side := side_of(name))}
+    if not letter and not mine:
+        return 0.0, []
+    mine |= significant_words(seat.words)
+    theirs = {letter} if letter else significant_words([title])
+    for group in known_roles().apart:
+        if mine & group and theirs & group:
+            same = sorted(mine & theirs & group)
+            return (1.0, [f"both names mean '{same[0]}'"]) if same else (-2.0, [])
+    return 0.0, []
 
 
 def number_for(seat: Seat, connection: migration.Connection) -> str:
@@ -189,36 +204,6 @@ def remarks_of_own(seat: Seat) -> float:
     """How much the remarks of a port speak for what boards of the source have there themselves."""
     words = significant_words([seat.own])
     return float(sum(len(remark.words & words) for remark in seat.remarks))
-
-
-ValuesOf: TypeAlias = Callable[[ccode.SourceUnit], Values]
-AUDIBLE_HZ = range(20, 20_001)
-"""What people hear."""
-
-
-def tone_kinds(uses: Sequence[PinUse], tones: Mapping[str, int], values: ValuesOf) -> frozenset[str]:
-    """The kinds of components that tones of these frequencies are for; empty if the uses disagree or are no tones.
-
-    Args:
-        uses: of one port.
-        tones: function that makes a tone -> the place of its frequency among its arguments.
-        values: of expressions in a unit; it remembers what it has found.
-    """
-    numbers = {number for use in uses if use.function in tones for number in _frequencies(use.call, tones[use.function], values)}
-    if numbers and all(number in AUDIBLE_HZ for number in numbers):
-        return known_roles().audible
-    if numbers and all(number is not None and number >= AUDIBLE_HZ.stop for number in numbers):
-        return known_roles().inaudible
-    return frozenset()
-
-
-def _frequencies(call: ccode.Expression, place: int, values: ValuesOf) -> set[int | None]:
-    """The values that an argument of a call may have, with None for those that only the running program knows."""
-    unit = unit_of(call)
-    if unit is None or unit.program is None:
-        return {None}
-    given = list(call.arguments)[place : place + 1] if isinstance(call, ccode.Call) else []
-    return {value.number for each in given for value in values(unit).of(each)}
 
 
 def _remarks(use: PinUse) -> Iterator[Remark]:

@@ -20,6 +20,7 @@ from robosmi.metamodels import migration
 from robosmi.project import read_data
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_INITIAL = re.compile(r"(?<=[a-z\d])[A-Z]\Z|(?<=[ _-])[A-Za-z]\Z|\A[A-Z](?=[ _-])")
 _LOOKALIKE = frozenset(["LATIN", "CYRILLIC", "GREEK", "ARMENIAN", "CHEROKEE", "FULLWIDTH", "MATHEMATICAL"])
 """Alphabets with letters that look alike, by the first words of their letters' names in Unicode."""
 EMPTY_WORDS = frozenset(
@@ -28,6 +29,8 @@ EMPTY_WORDS = frozenset(
 """Words that say nothing of a device."""
 SENDS, RECEIVES = frozenset(["tx", "txd", "txo", "dout", "sout"]), frozenset(["rx", "rxd", "rxi", "din", "sin"])
 """Connectors by which a component sends to the board, and those by which it receives from it."""
+AUDIBLE_HZ = range(20, 20_001)
+"""What people hear."""
 SERIAL = "serial device"
 """The kind of what has the connectors of a serial line."""
 
@@ -43,6 +46,7 @@ class PortWords(Struct, frozen=True):
         kinds: purpose of a connector -> the kind that a component is of, too, at such a connector.
         negations: words by which a title says what a component is not.
         audible, inaudible: the kinds that a tone is for which people hear, and one above.
+        initials: letter that stands for a side alone at an end of a name -> the side.
     """
 
     roles: dict[str, frozenset[str]]
@@ -53,6 +57,7 @@ class PortWords(Struct, frozen=True):
     negations: frozenset[str]
     audible: frozenset[str]
     inaudible: frozenset[str]
+    initials: dict[str, str]
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
@@ -87,6 +92,12 @@ def significant_words(texts: Iterable[str]) -> set[str]:
     """The words of several names in lower case, without words that say nothing about the device."""
     vocabulary = known_roles().vocabulary
     return {word for text in texts for word in _words_of(text, vocabulary)}
+
+
+def side_of(name: str) -> str:
+    """The side that a letter alone at either end of a name stands for (servoL: left); empty if none does."""
+    found = _INITIAL.search(name)
+    return known_roles().initials.get(found[0].upper(), "") if found is not None else ""
 
 
 def connector_words(texts: Iterable[str]) -> set[str]:
@@ -140,6 +151,15 @@ def misleading_title(connection: migration.Connection) -> str:
     return f"its title says what it is not ('{min(negated)}')" if negated else ""
 
 
+def tone_kinds(frequencies: Set[int | None]) -> frozenset[str]:
+    """The kinds of components that tones of these frequencies (Hz, None if unknown) are for; empty if they disagree."""
+    if frequencies and all(number in AUDIBLE_HZ for number in frequencies):
+        return known_roles().audible
+    if frequencies and all(number is not None and number >= AUDIBLE_HZ.stop for number in frequencies):
+        return known_roles().inaudible
+    return frozenset()
+
+
 def known_roles() -> PortWords:
     """The words of kinds, sides and connectors."""
     path = resources.find("platform_repo", "parts/port_roles.toml")
@@ -156,8 +176,9 @@ def _known_roles(path: Path, _: int) -> PortWords:
     entries = {purpose: purposes.table(purpose) for purpose in purposes.values}
     connectors = {purpose: (frozenset(entry.texts("words")), entry.text("board")) for purpose, entry in entries.items()}
     kinds = {purpose: entry.text("kind") for purpose, entry in entries.items() if "kind" in entry.values}
-    tones = data.table("tones")
+    tones, initials = data.table("tones"), data.table("initials")
     return PortWords(
         roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds, frozenset(data.texts("negations")),
         frozenset(tones.texts("audible")), frozenset(tones.texts("inaudible")),
+        {letter: initials.text(letter) for letter in initials.values},
     )  # fmt: skip

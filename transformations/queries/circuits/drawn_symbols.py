@@ -20,6 +20,8 @@ from robosmi.project import read_data
 from robosmi.transformations.queries.circuits.component_kinds import connector_words, significant_words
 
 _FILE = "parts/drawn_symbols.toml"
+UNKNOWN = "part"
+"""The symbol of a part whose kind no word tells."""
 _LED_PAINT, _PAINT, _BOARD_PAINT = "#e53935", "#5f6b76", "#37474f"
 _LEAST_PINS_KNOWN = 0.5
 _NUMBER = re.compile(r"\.\d+$")
@@ -42,7 +44,7 @@ class _Data(Struct, frozen=True):
 
 def symbol_names() -> list[str]:
     """All symbols that a part may be drawn as."""
-    return sorted({name for name, _ in _data().symbols} | {"part"})
+    return sorted({name for name, _ in _data().symbols} | {UNKNOWN})
 
 
 def symbol_of(component: hardware.Component) -> tuple[str, str]:
@@ -57,11 +59,11 @@ def symbol_of(component: hardware.Component) -> tuple[str, str]:
         for name, said in known.symbols:
             if words & said:
                 return name, _paint(component) if name == "led" else _PAINT
-    return "part", _PAINT
+    return UNKNOWN, _PAINT
 
 
 def _paint(component: hardware.Component) -> str:
-    told = [*(p.value for p in component.properties if p.name == "color"), component.title, component.partTitle]
+    told = [*(p.value for p in component.properties if p.name == "color"), component.title, component.partTitle, component.family]
     words = (word.lower() for text in told for word in str(text).replace("(", " ").split())
     colours = _data().colours
     return next((colours[word] for word in words if word in colours), _LED_PAINT)

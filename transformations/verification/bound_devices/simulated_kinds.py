@@ -34,6 +34,7 @@ class SimulatedKind(TypedDict, total=False):
     hold_ms: int
     motor: str
     limits: dict[str, list[Json]]
+    units: dict[str, str]
     ends: dict[str, list[Json]]
     jitter: dict[str, float]
     keys: list[str]

@@ -58,7 +58,7 @@ class NodeEngine:
         if shutil.which("node") is None:
             return f"install node (Debian: apt-get install nodejs npm), then {self.name}"
         if self.version() is None:
-            return f"run: npm install --prefix {_packages()[-1].parent} {self.wanted or self.name}"
+            return f"npm install --prefix {_packages()[-1].parent} {self.wanted or self.name}"
         return None
 
     def version(self) -> str | None:
