@@ -13,6 +13,11 @@ union Pair {
 } pair;
 uint16_t near = 436, far = 500;
 int side = 200;
+enum Limit { NEAR = 1, FAR = 40000 };
+int16_t flags = 0;
+int16_t farthest = 0;
+int bits = 0;
+int16_t masked = 0;
 class Track {
   int16_t sum = 0;
 public:
@@ -62,5 +67,16 @@ void loop() {
   Serial.println((uint16_t)((unsigned)level) / 2);
   track.add(500);
   Serial.println(track.age(5));
+  bitWrite(flags, 15, reading > 9);
+  if (flags < 0) Serial.println("set");
+  bitSet(bits, 14);
+  masked &= 0xFFFF;
+  farthest = FAR;
+  if ((uint16_t)(level) < FAR) Serial.println("far");
+  if ((uint16_t)(level) == NEAR) Serial.println("near");
+  long most = (uint16_t)(max(level, wide));
+  Serial.println(most + min((uint16_t)(level), width));
+  Serial.println((uint16_t)(~wide));
+  if ((int)wide < level) Serial.println("turned");
   Serial.println(abs(level));
 }

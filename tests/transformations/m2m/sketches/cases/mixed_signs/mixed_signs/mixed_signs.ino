@@ -13,6 +13,11 @@ union Pair {
 } pair;
 uint16_t near = 436, far = 500;
 int side = 200;
+enum Limit { NEAR = 1, FAR = 40000 };
+int flags = 0;
+int farthest = 0;
+int bits = 0;
+int masked = 0;
 class Track {
   int sum = 0;
 public:
@@ -62,5 +67,16 @@ void loop() {
   Serial.println((unsigned)level / 2);
   track.add(500);
   Serial.println(track.age(5));
+  bitWrite(flags, 15, reading > 9);
+  if (flags < 0) Serial.println("set");
+  bitSet(bits, 14);
+  masked &= 0xFFFF;
+  farthest = FAR;
+  if (level < FAR) Serial.println("far");
+  if (level == NEAR) Serial.println("near");
+  long most = max(level, wide);
+  Serial.println(most + min(level, width));
+  Serial.println(~wide);
+  if ((int)wide < level) Serial.println("turned");
   Serial.println(abs(level));
 }
