@@ -168,7 +168,8 @@ def _template_ints(view: CodeView, data: bytes, values: WrappedValues) -> Iterat
             if kind is not None and kind.base.rstrip("& ") in names and (_has_int(written[1]) if written else of_int):
                 yield call, f"{function.name}({', '.join(map(expression_text, call.arguments))})"
                 break
-    for each in (*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)):
+    objects: list[ccode.Variable | ccode.Field] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)]
+    for each in objects:
         kind = of_use(each.valueType)
         record = kind.declaration if kind is not None else None
         written = _TEMPLATE.search(kind.base) if kind is not None and isinstance(record, ccode.Record) else None
