@@ -16,6 +16,7 @@ from typing import Any, TypeGuard
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use, type_of
 
@@ -185,6 +186,8 @@ class Numbers:
         return not member and bool(expression.arguments) and (expression.callee is None or not expression.callee.definition)
 
     def _operands(self, expression: ccode.Expression | None) -> Sequence[ccode.Expression | None]:
+        if isinstance(expression, ccode.NameReference):
+            return (_initial_of_auto(expression.target),)
         return list(expression.arguments) if self.joins_operands(expression) else _operands(expression)
 
     def _called(self, call: ccode.Call) -> Number | None:
@@ -216,6 +219,8 @@ class Numbers:
 
     def declared(self, use: ccode.TypeUse | None) -> Number | None:
         """The arithmetic type of a declaration, or of the elements of a declared array; None for any other."""
+        if (initial := _initial_of_auto(use.eContainer() if use is not None else None)) is not None:
+            return self.of(initial)
         kind = of_use(use)
         return self._plain(kind.base) if kind is not None and (kind.array or not kind.depth) else None
 
@@ -261,6 +266,8 @@ class Numbers:
             return self._promoted(owner) if isinstance(owner, ccode.Enumeration) else None
         if target is None and reference.name in self.macros:
             return self._macro(str(reference.name))
+        if (initial := _initial_of_auto(target)) is not None:
+            return self._given(initial)
         if target is None or isinstance(target, ccode.ExternalSymbol):
             return self.machine.number(self.symbols.get(str(reference.name), ""))
         return self.typed(type_of(reference, self.functions))
@@ -288,6 +295,13 @@ class Numbers:
                 found = self.machine.common(found, self.machine.constant(value, suffix.lower(), decimal=base == 10))
             pending += _WORD.findall(_CONSTANT.sub(" ", text))
         return found
+
+
+def _initial_of_auto(declared: Element | None) -> ccode.Expression | None:
+    """What gives a variable its type that is declared as `auto`; None for any other declaration."""
+    use = declared.valueType if isinstance(declared, ccode.Variable) else None
+    is_auto = use is not None and str(use.spelling).replace("const", "").strip() == "auto"
+    return declared.initializer if is_auto and isinstance(declared, ccode.Variable) else None
 
 
 def _operands(expression: ccode.Expression | None) -> tuple[ccode.Expression | None, ...]:

@@ -31,7 +31,7 @@ from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.width_types import retyped_words
 
-TIME, KEPT, KEPT_CHAR = "int_time", "int_kept", "char_kept"
+TIME, KEPT, KEPT_CHAR, BYTES = "int_time", "int_kept", "char_kept", "bytes_of_object"
 _TYPE = re.compile(
     rb"(?:\s*\b(?:static|const|volatile|register|extern|inline|constexpr|unsigned|signed|int|char|double|PROGMEM)\b)+"
 )
@@ -149,8 +149,19 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
             held = size.operand.target
             known = isinstance(held, (ccode.Variable, ccode.Field)) and values.is_int(held.valueType) and not values.wraps(held)
             outer = size.eContainer()
+            if isinstance(held, (ccode.Variable, ccode.Field)) and _is_stored(sketch, held, values):
+                continue  # it gets the bytes that it has on its own board (`object_bytes`)
             if known and not (isinstance(outer, ccode.Binary) and outer.operator == "/" and outer.left is size):
                 yield sketch.place("sizeof_int", size, f"each int in sizeof({size.operand.name})")
+
+
+def _is_stored(sketch: MovedSketch, held: Declared, values: WrappedValues) -> bool:
+    """Whether a variable itself is given to a call that takes its bytes."""
+    view_of = {id(view.unit): view for view in sketch.views}
+    return is_free(held) and any(
+        isinstance(use.eContainer(), ccode.Call) and int(use.line) in sketch.lines(BYTES, view_of[id(unit_of(use))])
+        for use in values.uses.of(held)
+    )
 
 
 def _template_ints(view: CodeView, data: bytes, values: WrappedValues) -> Iterator[tuple[ccode.Located, str]]:

@@ -104,6 +104,8 @@ class WrappedValues:
     def _number_in(self, use: ccode.TypeUse | None) -> Number | None:
         """The type of the numbers that a variable has, or points or refers to."""
         kind = of_use(use)
+        if kind is not None and kind.base == "auto":
+            return self._ranges.numbers.declared(use)
         if kind is None or kind.depth - kind.dimensions > (not kind.dimensions):
             return None
         base = kind.base.replace("&", "").strip()
@@ -339,8 +341,30 @@ class WrappedValues:
             number = self._ranges.numbers.of(expression) if known else self.number(expression)
             if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
                 continue
-            if self.exceeds(expression, number) and self._looked_at(expression, number):
+            exceeds = self.exceeds(expression, number) or self._is_widened_product(expression, number)
+            if exceeds and self._looked_at(expression, number):
                 yield expression, self._taken_as(expression) or number
+
+    def _is_widened_product(self, expression: ccode.Expression, number: Number) -> bool:
+        """Whether ints of which nobody knows how great they are, are multiplied, and a wider type takes the product.
+
+        It is too late there for the bits beyond an int: the product has lost them on the source.
+        """
+        if not isinstance(expression, ccode.Binary) or expression.operator != "*" or self._ranges.of(expression) is not None:
+            return False
+        at, outer = expression, expression.eContainer()
+        while isinstance(outer, ccode.Binary) and outer.operator not in COMPARISONS and self.number(outer) == number:
+            at, outer = outer, outer.eContainer()
+        taken = None
+        if isinstance(outer, ccode.Binary) and outer.operator in COMPARISONS:
+            taken = self.number(outer.left if outer.right is at else outer.right)
+        elif isinstance(outer, ccode.Binary):
+            taken = self.number(outer)
+        elif isinstance(outer, ccode.Variable) and outer.initializer is at:
+            taken = self._number_in(outer.valueType)
+        elif isinstance(outer, ccode.Assignment) and outer.right is at:
+            taken = self.number(outer.left)
+        return taken is not None and (taken.real or taken.bits > number.bits)
 
     def _taken_as(self, expression: ccode.Expression) -> Number | None:
         """The int as which a function of the program returns or takes a result, which may have another sign."""

@@ -18,6 +18,8 @@ int16_t flags = 0;
 int16_t farthest = 0;
 int bits = 0;
 int16_t masked = 0;
+int pace = 3;
+const auto scale = 300;
 class Track {
   int16_t sum = 0;
 public:
@@ -78,5 +80,12 @@ void loop() {
   Serial.println(most + min((uint16_t)(level), width));
   Serial.println((uint16_t)(~wide));
   if ((int)wide < level) Serial.println("turned");
+  pace += 7;
+  if (pace > 400) pace = 3;
+  long way = (int16_t)(pace * 200);
+  float mean = (int16_t)(pace * 200) / 3;
+  long whole = 200L * pace;
+  Serial.println((int16_t)(pace * 2) + way + mean + whole);
+  Serial.println((int16_t)(scale * 200));
   Serial.println(abs(level));
 }

@@ -18,6 +18,8 @@ int flags = 0;
 int farthest = 0;
 int bits = 0;
 int masked = 0;
+int pace = 3;
+const auto scale = 300;
 class Track {
   int sum = 0;
 public:
@@ -78,5 +80,12 @@ void loop() {
   Serial.println(most + min(level, width));
   Serial.println(~wide);
   if ((int)wide < level) Serial.println("turned");
+  pace += 7;
+  if (pace > 400) pace = 3;
+  long way = pace * 200;
+  float mean = pace * 200 / 3;
+  long whole = 200L * pace;
+  Serial.println(pace * 2 + way + mean + whole);
+  Serial.println(scale * 200);
   Serial.println(abs(level));
 }
