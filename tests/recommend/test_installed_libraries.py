@@ -50,6 +50,17 @@ def test_what_is_read_of_a_library(folder: Path) -> None:
     assert (manifest["version"], manifest["architectures"], manifest["depends"]) == ("0.1", ["avr"], ["Servo"])
 
 
+def test_the_newest_of_several_versions_is_read(tmp_path: Path) -> None:
+    for folder, version in (("a", "1.9.0"), ("b", "1.10.0"), ("c", "1.9.5")):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "library.properties").write_text(f"name=Thing\nversion={version}\n")
+        (tmp_path / folder / "Thing.h").write_text("class Thing {};\n")
+    found = read_libraries(tmp_path)
+    assert [row["version"] for row in found.rows] == ["1.10.0"]
+    reason = f"the library 'Thing' is already read from {tmp_path / 'b'} in version 1.10.0"
+    assert found.skipped == {str(tmp_path / name): reason for name in "ac"}
+
+
 def test_comments_and_strings_are_counted_but_are_no_identifiers(folder: Path) -> None:
     header = next(row for row in read_libraries(folder).rows if row["name"] == "plain")["headers"][0]
     assert header["raw"]["robosense"] == header["raw"]["cm"] == 1

@@ -32,7 +32,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 def _correction(_: ccode.SourceUnit) -> str:
     """The advice for a number that is no port, with what the call does until then."""
     if retains_platform(the_move().plan):
-        return "correct the number; until then the target takes it for a pin of its own"
+        return "correct the number, or give the sketch's board with --from; until then the target takes it for a pin of its own"
     return "correct the number; until then the call does nothing on the target"
 
 

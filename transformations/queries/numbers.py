@@ -16,6 +16,8 @@ from typing import Any, TypeGuard
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
+from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use, type_of
 
 _FIXED = re.compile(r"(u?)int(?:_least|_fast)?(8|16|32|64)_t")
@@ -83,6 +85,13 @@ class Machine(Struct, frozen=True):
                 return Number(bits, False)
         return Number(64, False)
 
+    def enumeration(self, declared: ccode.Enumeration) -> Number:
+        """The type to which values of an enumeration are promoted: the first that has them all (ISO/IEC 14882:2011, 4.5)."""
+        values = [int(literal.value) for literal in declared.literals]
+        least, most = min(values, default=0), max(values, default=0)
+        types = (Number(bits, signed) for bits in (self.int_bits, self.long_bits, 64) for signed in (True, False))
+        return next((each for each in types if each.least <= least and most <= each.most), Number(64, True))
+
     def common(self, left: Number, right: Number) -> Number:
         """The common type of two operands after the usual arithmetic conversions (C99 6.3.1.8)."""
         if left.real or right.real:
@@ -149,6 +158,7 @@ class Numbers:
         self.functions = functions
         self.symbols = symbols
         self._known: dict[int, Number | None] = {}
+        self._enumerations: dict[int, Number] = {}
 
     def of(self, expression: ccode.Expression | None) -> Number | None:
         """The arithmetic type of an expression; None where the model does not tell it or where it is none."""
@@ -176,6 +186,8 @@ class Numbers:
         return not member and bool(expression.arguments) and (expression.callee is None or not expression.callee.definition)
 
     def _operands(self, expression: ccode.Expression | None) -> Sequence[ccode.Expression | None]:
+        if isinstance(expression, ccode.NameReference):
+            return (_initial_of_auto(expression.target),)
         return list(expression.arguments) if self.joins_operands(expression) else _operands(expression)
 
     def _called(self, call: ccode.Call) -> Number | None:
@@ -198,15 +210,17 @@ class Numbers:
         return self._given(assignment.left)
 
     def typed(self, kind: ValueType | None) -> Number | None:
-        """The arithmetic type that a type is on this machine, an enumeration being an int; None for any other type."""
+        """The arithmetic type that a type is on this machine, an enumeration as it is promoted; None for any other type."""
         if kind is None or kind.depth or kind.function:
             return None
         if isinstance(kind.declaration, ccode.Enumeration):
-            return self.machine.integer
+            return self._promoted(kind.declaration)
         return self._plain(kind.base)
 
     def declared(self, use: ccode.TypeUse | None) -> Number | None:
         """The arithmetic type of a declaration, or of the elements of a declared array; None for any other."""
+        if (initial := _initial_of_auto(use.eContainer() if use is not None else None)) is not None:
+            return self.of(initial)
         kind = of_use(use)
         return self._plain(kind.base) if kind is not None and (kind.array or not kind.depth) else None
 
@@ -245,13 +259,23 @@ class Numbers:
     def _name(self, reference: ccode.NameReference) -> Number | None:
         target = reference.target
         if isinstance(target, ccode.EnumerationLiteral):
-            value = int(target.value)
-            return self.machine.integer if -(1 << 15) <= value < 1 << (self.machine.int_bits - 1) else Number(32, True)
+            owner, unit = target.eContainer(), ancestor_of_kind(target, ccode.SourceUnit)
+            plain = self.machine.integer.least <= int(target.value) <= self.machine.integer.most
+            if plain and (unit is None or unit.language == "C"):  # C99 6.7.2.2
+                return self.machine.integer
+            return self._promoted(owner) if isinstance(owner, ccode.Enumeration) else None
         if target is None and reference.name in self.macros:
             return self._macro(str(reference.name))
+        if (initial := _initial_of_auto(target)) is not None:
+            return self._given(initial)
         if target is None or isinstance(target, ccode.ExternalSymbol):
             return self.machine.number(self.symbols.get(str(reference.name), ""))
         return self.typed(type_of(reference, self.functions))
+
+    def _promoted(self, declared: ccode.Enumeration) -> Number:
+        if id(declared) not in self._enumerations:
+            self._enumerations[id(declared)] = self.machine.enumeration(declared)
+        return self._enumerations[id(declared)]
 
     def _macro(self, name: str) -> Number | None:
         """The type of a macro of integers: the widest of those in its text; None for any other macro."""
@@ -271,6 +295,13 @@ class Numbers:
                 found = self.machine.common(found, self.machine.constant(value, suffix.lower(), decimal=base == 10))
             pending += _WORD.findall(_CONSTANT.sub(" ", text))
         return found
+
+
+def _initial_of_auto(declared: Element | None) -> ccode.Expression | None:
+    """What gives a variable its type that is declared as `auto`; None for any other declaration."""
+    use = declared.valueType if isinstance(declared, ccode.Variable) else None
+    is_auto = use is not None and str(use.spelling).replace("const", "").strip() == "auto"
+    return declared.initializer if is_auto and isinstance(declared, ccode.Variable) else None
 
 
 def _operands(expression: ccode.Expression | None) -> tuple[ccode.Expression | None, ...]:

@@ -61,7 +61,7 @@ class Found(Struct):
 
 
 def read_libraries(folder: Path, registers: Collection[str] = ()) -> Found:
-    """The libraries in a folder, each once.
+    """The libraries in a folder, each once, in its newest version.
 
     Args:
         folder: the folder.
@@ -72,7 +72,7 @@ def read_libraries(folder: Path, registers: Collection[str] = ()) -> Found:
     """
     if not folder.is_dir():
         raise SourceError("no such folder", location=Location(str(folder)), fix="give a folder of libraries")
-    found, seen, names = Found(), set[Path](), dict[str, str]()
+    found, seen, known = Found(), set[Path](), dict[str, tuple[LibraryRow, Path]]()
     for path in _folders(folder, found):
         real = path.resolve()
         if real in seen:
@@ -83,12 +83,20 @@ def read_libraries(folder: Path, registers: Collection[str] = ()) -> Found:
         if row is None:
             continue
         row["registers"] = _registers(path, registers)
-        if row["name"] in names:
-            found.skipped[str(path)] = f"the library '{row['name']}' is already read from {names[row['name']]}"
+        if (other := known.get(row["name"])) is None:
+            known[row["name"]] = row, path
             continue
-        names[row["name"]] = str(path)
-        found.rows.append(row)
+        older, newest = sorted(((row, path), other), key=lambda each: _version(each[0]))  # of equals the first stays
+        known[row["name"]] = newest
+        version = f" in version {newest[0]['version']}" * bool(newest[0]["version"])
+        found.skipped[str(older[1])] = f"the library '{row['name']}' is already read from {newest[1]}{version}"
+    found.rows += [row for row, _ in known.values()]
     return found
+
+
+def _version(row: LibraryRow) -> list[int]:
+    """The version of a library, to be compared with that of another."""
+    return [int(number) for number in re.findall(r"\d+", row["version"])]
 
 
 def _folders(folder: Path, found: Found) -> Iterator[Path]:

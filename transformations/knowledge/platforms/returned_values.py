@@ -39,10 +39,24 @@ def macros_of_operands(platform: str) -> frozenset[str]:
     Raises:
         PlatformDataError: the data is damaged.
     """
+    return _macros(platform, "macros_of_operands")
+
+
+@cache
+def macros_of_bits(platform: str) -> frozenset[str]:
+    """Macros of a platform that write a bit of their first argument, whose number is the second; empty without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    return _macros(platform, "macros_of_bits")
+
+
+def _macros(platform: str, key: str) -> frozenset[str]:
     if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
         return frozenset()
     path = resources.find("platform_repo", f"{platform}/{_FILE}")
-    return frozenset(DataTable(path, read_data(path)).texts("macros_of_operands", ()))
+    return frozenset(DataTable(path, read_data(path)).texts(key, ()))
 
 
 _FILE = "values.toml"

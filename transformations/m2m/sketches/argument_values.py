@@ -221,7 +221,11 @@ def taken_values(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
                 if call.viaMacro or isinstance(call.calleeExpression, ccode.Member):
                     continue
                 for argument, number in zip(call.arguments, numbers, strict=False):
-                    if number is None or number.real or number.fixed or number.bits != bits or not values.cuts(argument, number):
+                    if number is None or number.real or number.fixed or number.bits != bits:
+                        continue
+                    of = values.number(argument)
+                    wraps = of is not None and not of.real and of.bits == bits and values.exceeds(argument, of)
+                    if not wraps and not values.cuts(argument, number):
                         continue
                     reason = f"'{call.calleeName}' takes {bits} bits on its own board"
                     start, end = int(argument.startOffset), int(argument.endOffset)

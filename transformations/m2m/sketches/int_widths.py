@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents
-from robosmi.transformations.knowledge.platforms.returned_values import macros_of_operands, returned_values
+from robosmi.transformations.knowledge.platforms.returned_values import macros_of_bits, macros_of_operands, returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.argument_values import stored_values, taken_values
 from robosmi.transformations.m2m.sketches.format_widths import format_widths
@@ -24,18 +24,21 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import as_characters, negative_chars
 from robosmi.transformations.queries.constants.wrapped_values import WrappedValues
+from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 from robosmi.transformations.queries.width_types import retyped_words
 
-TIME, KEPT, KEPT_CHAR = "int_time", "int_kept", "char_kept"
+TIME, KEPT, KEPT_CHAR, BYTES = "int_time", "int_kept", "char_kept", "bytes_of_object"
 _TYPE = re.compile(
     rb"(?:\s*\b(?:static|const|volatile|register|extern|inline|constexpr|unsigned|signed|int|char|double|PROGMEM)\b)+"
 )
 """The words in front of a declared name, as far as a type is written with them."""
 _FUNCTIONAL = re.compile(rb"(?:static_cast\s*<\s*)?(unsigned\s+int|unsigned|word|int)\b")
+_TEMPLATE = re.compile(r"<(.*)>", re.DOTALL)
+_GROWING = frozenset(["+", "-", "*", "<<", "~", "++", "--"])
 _LIMITS = frozenset(["UINT16_MAX", "INT16_MAX", "INT16_MIN"])
 
 
@@ -46,7 +49,8 @@ def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
         return None
     own, other = (Machine(each.int_bits, 32, each.int_bits, each.char_signed) for each in (here, there))
     platform = sketch.views[0].api.name
-    return WrappedValues(sketch.views, own, other, returned_values(platform), macros_of_operands(platform))
+    results, of_operands, of_bits = returned_values(platform), macros_of_operands(platform), macros_of_bits(platform)
+    return WrappedValues(sketch.views, own, other, results, of_operands, of_bits)
 
 
 def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
@@ -87,25 +91,30 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
 
 
 def _given_to_macros(view: CodeView, values: WrappedValues) -> set[int]:
-    """The uses in the text of macros of the platform like `abs`, and what is in their arguments, by `id`: they may be cut."""
+    """The uses in the text of macros of the platform like `abs`, and what is in their arguments, by `id`: they may be cut.
+
+    What another macro makes is not in the text; only its name is.
+    """
+    others = [use for use in view.unit.macroUses if str(use.name) not in values.of_operands]
     found: set[int] = set()
     for call in view.of_kind(ccode.Call):
-        if not call.viaMacro and values.joins_operands(call):
-            around = [
-                use for use in view.unit.macroUses if use.startOffset <= call.startOffset and call.endOffset <= use.endOffset
-            ]
-            if all(str(use.name) in values.of_operands for use in around):
-                own = [e for e in all_contents(call) if isinstance(e, ccode.Located)]
-                uses = [u for u in view.unit.macroUses if call.startOffset < u.startOffset and u.endOffset <= call.endOffset]
-                uses = [u for u in uses if str(u.name) not in values.of_operands]
-                found |= {id(e) for e in (call, *own) if not any(_is_inside(e, u) for u in uses)}
+        if call.viaMacro or not values.joins_operands(call) or any(_is_inside(call, use) for use in others):
+            continue
+        inner = [use for use in others if _is_inside(use, call)]
+        for each in (call, *all_contents(call)):
+            if isinstance(each, ccode.Located) and not any(_is_made_by(each, use) for use in inner):
+                found.add(id(each))
     return found
 
 
-def _is_inside(element: ccode.Located, use: ccode.MacroUse) -> bool:
-    start, end = int(element.startOffset), int(element.endOffset)
-    named = isinstance(element, ccode.NameReference) and (start, end) == (int(use.startOffset), int(use.endOffset))
-    return int(use.startOffset) <= start and end <= int(use.endOffset) and not named
+def _is_inside(inner: ccode.Located, outer: ccode.Located) -> bool:
+    return bool(outer.startOffset <= inner.startOffset and inner.endOffset <= outer.endOffset)
+
+
+def _is_made_by(element: ccode.Located, use: ccode.MacroUse) -> bool:
+    """Whether an expression is in the text of a macro's use, and is not the macro's name alone."""
+    named = isinstance(element, ccode.NameReference) and _is_inside(use, element)
+    return _is_inside(element, use) and not named
 
 
 def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:
@@ -125,34 +134,98 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
                 yield SketchEdit(cast, "int-cut", f"the result is cut to the {bits} bits that it has on its own board", (change,))
         for each in view.of_kind(ccode.Binary):
             if (each.operator in COMPARISONS or each.operator in ("/", "%")) and is_written(view, each):
-                yield from _unsigned_side(each, values)
+                yield from _unsigned_side(each, each.left, each.right, values)
             limits = [side for side in (each.left, each.right) if isinstance(side, ccode.NameReference)]
             if each.operator in ("+", "-", "*", "<<"):
                 yield from (sketch.place("int_limit", each, str(side.name)) for side in limits if side.name in _LIMITS)
+        for call in view.of_kind(ccode.Call):
+            if values.joins_operands(call) and is_written(view, call):
+                for other in call.arguments[1:]:  # with which the macro compares its first argument
+                    yield from _unsigned_side(call, call.arguments[0], other, values)
+        yield from (sketch.place("int_template", each, name) for each, name in _template_ints(view, data, values))
         for size in view.of_kind(ccode.SizeOf):
             if not isinstance(size.operand, ccode.NameReference):
                 continue
             held = size.operand.target
             known = isinstance(held, (ccode.Variable, ccode.Field)) and values.is_int(held.valueType) and not values.wraps(held)
             outer = size.eContainer()
+            if isinstance(held, (ccode.Variable, ccode.Field)) and _is_stored(sketch, held, values):
+                continue  # it gets the bytes that it has on its own board (`object_bytes`)
             if known and not (isinstance(outer, ccode.Binary) and outer.operator == "/" and outer.left is size):
                 yield sketch.place("sizeof_int", size, f"each int in sizeof({size.operand.name})")
 
 
-def _unsigned_side(each: ccode.Binary, values: WrappedValues) -> Iterator[SketchEdit]:
+def _is_stored(sketch: MovedSketch, held: Declared, values: WrappedValues) -> bool:
+    """Whether a variable itself is given to a call that takes its bytes."""
+    view_of = {id(view.unit): view for view in sketch.views}
+    return is_free(held) and any(
+        isinstance(use.eContainer(), ccode.Call) and int(use.line) in sketch.lines(BYTES, view_of[id(unit_of(use))])
+        for use in values.uses.of(held)
+    )
+
+
+def _template_ints(view: CodeView, data: bytes, values: WrappedValues) -> Iterator[tuple[ccode.Located, str]]:
+    """The uses of the program's templates for an int with which they calculate: its width is not in their text."""
+    for call in view.of_kind(ccode.Call):
+        function = call.callee
+        if function is None or not _calculates(function, function, values):
+            continue
+        given = data[int(call.startOffset) : min((int(a.startOffset) for a in call.arguments), default=int(call.endOffset))]
+        written = _TEMPLATE.search(given.decode("utf-8", "replace"))
+        names = _type_names(function)
+        for argument, parameter in zip(call.arguments, function.parameters, strict=False):
+            kind, number = of_use(parameter.valueType), values.number(argument)
+            of_int = number is not None and not number.real and not number.fixed and number.bits == values.here.int_bits
+            if kind is not None and kind.base.rstrip("& ") in names and (_has_int(written[1]) if written else of_int):
+                yield call, f"{function.name}({', '.join(map(expression_text, call.arguments))})"
+                break
+    objects: list[ccode.Variable | ccode.Field] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Field)]
+    for each in objects:
+        kind = of_use(each.valueType)
+        record = kind.declaration if kind is not None else None
+        written = _TEMPLATE.search(kind.base) if kind is not None and isinstance(record, ccode.Record) else None
+        if written is None or not _has_int(written[1]) or not isinstance(record, ccode.Record):
+            continue
+        if any(_calculates(method, record, values) for method in record.methods):
+            yield each, f"{kind.base if kind is not None else ''} {each.name}"
+
+
+def _has_int(arguments: str) -> bool:
+    return any(each.strip() in ("int", "unsigned", "unsigned int") for each in arguments.split(","))
+
+
+def _type_names(template: ccode.Function | ccode.Record) -> set[str]:
+    """The names of a template's parameters that are types."""
+    return {str(each.name) for each in template.templateParameters if each.valueType is None}
+
+
+def _calculates(function: ccode.Function, template: ccode.Function | ccode.Record, values: WrappedValues) -> bool:
+    """Whether a function calculates with what has the type of a parameter of its template, so that it may wrap."""
+    names = _type_names(template)
+    for each in all_contents(function) if names else ():
+        if isinstance(each, (ccode.Binary, ccode.Assignment, ccode.Unary)) and str(each.operator).rstrip("=") in _GROWING:
+            kinds = (of_use(holder.valueType) for inner in (each, *all_contents(each)) for holder in values.uses.holders(inner))
+            if any(kind is not None and kind.base.rstrip("& ") in names for kind in kinds):
+                return True
+    return False
+
+
+def _unsigned_side(
+    each: ccode.Binary | ccode.Call, left: ccode.Expression | None, right: ccode.Expression | None, values: WrappedValues
+) -> Iterator[SketchEdit]:
     """The edit of a number that may be negative where it meets an unsigned one, which the source's int cannot hold.
 
     An unsigned int of the target holds it, other than a `uint16_t`: that becomes an int there, with a sign.
     """
     bits = values.here.int_bits
-    for one, other in ((each.left, each.right), (each.right, each.left)):
+    for one, other in ((left, right), (right, left)):
         number, found = values.number(one), values.range_of(other)
         if number is None or number.real or number.signed or number.bits != bits or other is None:
             continue
         of = values.number(other)
         if of is None or of.real or not of.signed or of.bits > bits or (found is not None and found.low >= 0):
             continue
-        single = each.operator in COMPARISONS and found is not None and found.single
+        single = isinstance(each, ccode.Binary) and each.operator in COMPARISONS and found is not None and found.single
         if single or values.is_narrow_there(one):
             start, end = int(other.startOffset), int(other.endOffset)
             reason = "it has no sign beside an unsigned number on its own board"

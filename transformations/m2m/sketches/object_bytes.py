@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
-from robosmi.transformations.m2m.sketches.int_widths import is_free, retyped_here
+from robosmi.transformations.m2m.sketches.int_widths import BYTES, is_free, retyped_here
 from robosmi.transformations.m2m.sketches.linked_types import declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
@@ -21,7 +21,7 @@ from robosmi.transformations.queries.expression_type import field_of, of_use
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 
-BYTES, SIZE = "bytes_of_object", "sizeof_int"
+SIZE = "sizeof_int"
 _RULE = "object-bytes"
 _INT = re.compile(r"\b(?:int|unsigned|word)\b")
 _SIZES = {
@@ -146,11 +146,9 @@ def _of_holder(sketch: MovedSketch, each: ccode.Declaration) -> Iterator[SketchE
 def _record(sketch: MovedSketch, holder: ccode.Variable | ccode.Parameter | ccode.Field) -> ccode.Record | None:
     """The program's record that a variable is, or an array of which it is."""
     use = holder.valueType
-    declared = use.declaration if use is not None else None
-    if isinstance(declared, ccode.Typedef):
-        declared = declared.aliased.declaration if declared.aliased is not None else None
-    if isinstance(declared, ccode.Record):
-        return declared
+    kind = of_use(use)
+    if kind is not None and isinstance(kind.declaration, ccode.Record):
+        return kind.declaration
     words = re.findall(r"\w+", str(use.spelling)) if use is not None else []
     return next((r for view in sketch.views for r in view.of_kind(ccode.Record) if r.name and r.name in words), None)
 

@@ -50,15 +50,16 @@ class Ranges:
         results: name of a function that the program does not define -> the least and the greatest value that it returns.
         wrapping: variables that take all values of their type, by `id`.
         uses: the uses of the program's variables, where `wrapping` has members.
+        of_bits: macros that write a bit of their first argument.
     """
 
     def __init__(
         self, numbers: Numbers, values: Values, program: ccode.Program,
         results: Mapping[str, tuple[int, int]] = MappingProxyType({}), wrapping: Collection[int] = (),
-        uses: DeclaredUses | None = None,
+        uses: DeclaredUses | None = None, of_bits: Collection[str] = (),
     ) -> None:  # fmt: skip
         self.numbers = numbers
-        self._results, self._wrapping, self._uses = results, wrapping, uses
+        self._results, self._wrapping, self._uses, self._of_bits = results, wrapping, uses, of_bits
         declared = Counter(d.name for u in program.units for d in u.declarations)
         self._shared = {n for n, count in declared.items() if count > 1} | {e.name for e in program.externals}
         self.values = values
@@ -176,6 +177,8 @@ class Ranges:
                 found.append(self.of(parent.right) if parent.operator == "=" else None)
             elif isinstance(parent, ccode.Unary) and parent.operator in ("++", "--", "&"):
                 found.append(self._counted(parent, variable))
+            elif isinstance(parent, ccode.Call) and self._is_written_by(parent, reference):
+                found.append(None)
             if found and found[-1] is None:
                 return None
         return _union(found)
@@ -200,6 +203,8 @@ class Ranges:
             value, *ends = (self.of(each) for each in arguments)
             start, shown = _union(ends[:2]), _union(ends[2:])
             return shown if value is not None and start is not None and value.within(start.low, start.high) else None
+        if name == "bit" and len(arguments) == 1 and (place := self.of(arguments[0])) is not None:
+            return Range(1 << place.low, 1 << place.high) if place.within(0, 31) else None
         if name == "random" and arguments and (end := self.of(arguments[-1])) is not None:
             start = self.of(arguments[0]) if len(arguments) > 1 else Range(0, 0)
             return Range(start.low, max(start.low, end.high - 1)) if start is not None else None
@@ -236,6 +241,13 @@ class Ranges:
         if variable.storage is ccode.Storage.staticStorage:
             return False
         return variable.storage is ccode.Storage.externStorage or variable.name in self._shared
+
+    def _is_written_by(self, call: ccode.Call, reference: ccode.NameReference) -> bool:
+        """Whether a call may write an argument: a macro that sets a bit, or a function of the program that takes a reference."""
+        if call.calleeName in self._of_bits:
+            return bool(call.arguments) and call.arguments[0] is reference
+        takes = zip(call.arguments, call.callee.parameters, strict=False) if call.callee is not None else ()
+        return any(given is reference and "&" in str(p.valueType.spelling) for given, p in takes if p.valueType is not None)
 
     def _counted(self, step: ccode.Unary, variable: ccode.Declaration) -> Range | None:
         """The range of a for loop's counter, up to the bound of its condition; None for any other `++`, `--` or `&`."""

@@ -30,6 +30,7 @@ _MOST_NESTED = 100
 """Levels of a calculation with real numbers that are followed."""
 _LOOKED_AT = (ccode.Binary, ccode.Unary, ccode.Cast, ccode.Call, ccode.ConditionalExpression)
 _STEPS = frozenset(["+=", "-=", "*=", "<<="])
+_BITWISE = frozenset(["|=", "^=", "&="])
 _ROUNDS = 3
 
 
@@ -42,14 +43,15 @@ class WrappedValues:
         there: the machine of the target, whose int is wider.
         results: what functions return (see `Ranges`).
         of_operands: macros whose result has the common type of their arguments (see `Numbers`).
+        of_bits: macros that write a bit of their first argument, whose number is the second.
     """
 
     def __init__(
         self, views: Sequence[CodeView], here: Machine, there: Machine, results: Mapping[str, tuple[int, int]],
-        of_operands: Collection[str] = (),
+        of_operands: Collection[str] = (), of_bits: Collection[str] = (),
     ) -> None:  # fmt: skip
         self.views, self.here, self.there, self._results = views, here, there, results
-        self.of_operands = of_operands
+        self.of_operands, self._of_bits = of_operands, of_bits
         self._wrapping: set[int] = set()
         self.uses = DeclaredUses(views)
         self._ranges = self._made()
@@ -71,7 +73,7 @@ class WrappedValues:
         macros = {str(m.name): str(m.body or "") for view in self.views for m in view.unit.macros if not m.functionLike}
         values = self.views[0].values
         numbers = Numbers(self.here, functions, {}, macros, self._aliases, self.of_operands, self.uses.holders)
-        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping, self.uses)
+        return Ranges(numbers, values, self.views[0].program, self._results, self._wrapping, self.uses, self._of_bits)
 
     @cached_property
     def _aliases(self) -> dict[str, str]:
@@ -102,6 +104,8 @@ class WrappedValues:
     def _number_in(self, use: ccode.TypeUse | None) -> Number | None:
         """The type of the numbers that a variable has, or points or refers to."""
         kind = of_use(use)
+        if kind is not None and kind.base == "auto":
+            return self._ranges.numbers.declared(use)
         if kind is None or kind.depth - kind.dimensions > (not kind.dimensions):
             return None
         base = kind.base.replace("&", "").strip()
@@ -146,6 +150,8 @@ class WrappedValues:
         for reference in self.uses.of(holder):
             written = _written(reference, within=points)
             if written is None:
+                if self._writes_sign(reference, number):
+                    return True
                 continue
             if isinstance(written, ccode.Assignment) and written.operator == "=":
                 given.append(written.right)
@@ -158,16 +164,34 @@ class WrappedValues:
             elif isinstance(written, ccode.Unary) or written.operator in _STEPS:
                 if not self._bounded(written, holder):
                     return True
-            elif isinstance(written, ccode.Assignment) and written.operator == "|=":
+            elif isinstance(written, ccode.Assignment) and written.operator in _BITWISE:
                 given.append(written.right)
         return any(self.leaves(each, number) for each in given)
+
+    def _writes_sign(self, reference: Element, number: Number) -> bool:
+        """Whether a macro writes the bit of a name or an element that is its sign on the source, or one that it lacks there.
+
+        Any bit may be the sign where the text does not say which one.
+        """
+        place, call = _place(reference)
+        written = isinstance(call, ccode.Call) and call.calleeName in self._of_bits and len(call.arguments) > 1
+        if not written or not isinstance(call, ccode.Call) or call.arguments[0] is not place:
+            return False
+        bit = self._ranges.of(call.arguments[1])
+        return number.signed if bit is None or not bit.given else 1 << min(max(bit.high, 0), 64) > number.most
 
     def leaves(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether the value of an expression is known to lie beyond a type at times, or wraps on its way."""
         found = self._ranges.of(expression)
         if found is None:
-            return self._real_leaves(expression, number)
+            return self._real_leaves(expression, number) or self._changes_sign(expression, number)
         return not found.within(number.least, number.most)
+
+    def _changes_sign(self, expression: ccode.Expression | None, number: Number) -> bool:
+        """Whether a result wraps in a type of the same width that has a sign where the other has none."""
+        of = self.number(expression)
+        other = of is not None and not of.real and of.bits == number.bits and of.signed != number.signed
+        return other and of is not None and self.exceeds(expression, of)
 
     def _real_leaves(self, expression: ccode.Expression | None, number: Number) -> bool:
         """Whether a real number is known to be too large or too small for a type at times: AVR keeps its lower bits."""
@@ -317,8 +341,41 @@ class WrappedValues:
             number = self._ranges.numbers.of(expression) if known else self.number(expression)
             if number is None or number.real or number.bits != self.here.int_bits or number.fixed:
                 continue
-            if self.exceeds(expression, number) and self._looked_at(expression, number):
-                yield expression, number
+            exceeds = self.exceeds(expression, number) or self._is_widened_product(expression, number)
+            if exceeds and self._looked_at(expression, number):
+                yield expression, self._taken_as(expression) or number
+
+    def _is_widened_product(self, expression: ccode.Expression, number: Number) -> bool:
+        """Whether ints of which nobody knows how great they are, are multiplied, and a wider type takes the product.
+
+        It is too late there for the bits beyond an int: the product has lost them on the source.
+        """
+        if not isinstance(expression, ccode.Binary) or expression.operator != "*" or self._ranges.of(expression) is not None:
+            return False
+        at, outer = expression, expression.eContainer()
+        while isinstance(outer, ccode.Binary) and outer.operator not in COMPARISONS and self.number(outer) == number:
+            at, outer = outer, outer.eContainer()
+        taken = None
+        if isinstance(outer, ccode.Binary) and outer.operator in COMPARISONS:
+            taken = self.number(outer.left if outer.right is at else outer.right)
+        elif isinstance(outer, ccode.Binary):
+            taken = self.number(outer)
+        elif isinstance(outer, ccode.Variable) and outer.initializer is at:
+            taken = self._number_in(outer.valueType)
+        elif isinstance(outer, ccode.Assignment) and outer.right is at:
+            taken = self.number(outer.left)
+        return taken is not None and (taken.real or taken.bits > number.bits)
+
+    def _taken_as(self, expression: ccode.Expression) -> Number | None:
+        """The int as which a function of the program returns or takes a result, which may have another sign."""
+        outer, use = expression.eContainer(), None
+        if isinstance(outer, ccode.Return) and ancestor_of_kind(outer, ccode.Lambda) is None:
+            function = ancestor_of_kind(outer, ccode.Function)
+            use = function.returnType if function is not None else None
+        elif isinstance(outer, ccode.Call) and outer.callee is not None and outer.callee.definition:
+            taken = zip(outer.arguments, outer.callee.parameters, strict=False)
+            use = next((parameter.valueType for given, parameter in taken if given is expression), None)
+        return self.here.number(str(use.spelling)) if use is not None and self.is_int(use) else None
 
     def returned(self, view: CodeView) -> Iterator[tuple[ccode.Expression, Number]]:
         """The results of functions of a unit that are cut to an int there, with the type of the function."""
@@ -347,12 +404,16 @@ class WrappedValues:
                 return True
         elif self._is_macro(expression) or isinstance(expression, ccode.Call):
             operands = []
+            if isinstance(expression, ccode.Call) and expression.calleeName == "max" and not number.signed:
+                return any(map(self.may_be_negative, expression.arguments))
         else:
             return False
         found = self._ranges.of(expression)
         if found is not None:
             return not found.within(number.least, number.most)
         if isinstance(expression, ccode.Binary) and expression.operator == "<<" and self._joins(expression, number):
+            return True
+        if isinstance(expression, ccode.Unary) and expression.operator in ("-", "~") and not number.signed:
             return True
         if (
             isinstance(expression, ccode.Binary)
@@ -387,7 +448,8 @@ class WrappedValues:
         if inner is not None and inner.real:
             return self._real_leaves(cast.operand, number)
         negative = not number.signed and found is not None and found.low < 0
-        wider = inner is not None and (inner.bits > number.bits or written or negative)
+        turned = inner is not None and number.signed and not inner.signed and inner.bits == number.bits
+        wider = turned or (inner is not None and (inner.bits > number.bits or written or negative))
         return wider and (found is None or not found.within(number.least, number.most))
 
     def cuts(self, expression: ccode.Expression | None, number: Number) -> bool:
@@ -428,8 +490,11 @@ class WrappedValues:
         if isinstance(expression, ccode.Cast):
             kind = self.there.number(str(expression.target.spelling)) if expression.target is not None else None
             return kind is not None and not kind.real and kind.bits <= self.here.int_bits
+        of = self.number(expression)
+        if isinstance(expression, ccode.NameReference) and isinstance(expression.target, ccode.EnumerationLiteral):
+            return of is not None and not of.signed  # an enumeration with 40000 is an unsigned int here, and an int there
         if isinstance(expression, ccode.IntegerLiteral) or self._is_macro(expression):  # 0x8000 has no sign here, and one there
-            of, found = self.number(expression), self._ranges.of(expression)
+            found = self._ranges.of(expression)
             return (
                 of is not None
                 and not of.signed
@@ -471,15 +536,21 @@ def _written(reference: Element, *, within: bool = False) -> ccode.Assignment | 
         reference: the name.
         within: whether it is a pointer, and only what it points to counts.
     """
-    at: Element = reference
-    outer = at.eContainer()
-    while (isinstance(outer, ccode.Index) and outer.array is at) or (isinstance(outer, ccode.Unary) and outer.operator == "*"):
-        at, outer = outer, outer.eContainer()
+    at, outer = _place(reference)
     if within and at is reference:
         return None
     if isinstance(outer, ccode.Assignment) and outer.left is at:
         return outer
     return outer if isinstance(outer, ccode.Unary) and outer.operator in ("++", "--") else None
+
+
+def _place(reference: Element) -> tuple[Element, Element | None]:
+    """The place that a name is, or whose object it names, and what contains the expression for it."""
+    at: Element = reference
+    outer = at.eContainer()
+    while (isinstance(outer, ccode.Index) and outer.array is at) or (isinstance(outer, ccode.Unary) and outer.operator == "*"):
+        at, outer = outer, outer.eContainer()
+    return at, outer
 
 
 def _decided_by(comparison: ccode.Binary) -> ccode.Statement | ccode.ConditionalExpression | None:

@@ -256,8 +256,12 @@ def pins_as_analog_numbers(kind: PlaceKind, seen: AnalysedProgram) -> Found:
 
 
 def analog_pins(kind: PlaceKind, seen: AnalysedProgram) -> Found:
-    """Analogue pins that the other board does not have."""
-    return ((at, name) for at, name in named(kind, seen) if name not in seen.move.target.aliases)
+    """Analogue pins that the other board does not have; the source board lacks them, too, where it is another than was said."""
+    here, there = seen.move.source, seen.move.target
+    for at, name in named(kind, seen):
+        if name not in there.aliases:
+            known = name in here.aliases
+            yield at, name if known else f"{name}, and neither has {here.title}: give the board of this sketch with --from"
 
 
 def pin_of_led(kind: PlaceKind, seen: AnalysedProgram) -> Found:

@@ -409,7 +409,7 @@ def _enumeration(context: UnitContext, node: Node) -> ccode.Declaration:
     literals = []
     for child in node.children:
         if child.kind == LITERAL:
-            value = context.lib.getEnumConstantDeclValue(child.cursor)
+            value = types.enumerator_value(context.lib, child.cursor)
             literal = ccode.EnumerationLiteral(
                 name=context.spelling(child.cursor), value=value, **context.source.place(child.start, child.end)
             )

@@ -24,6 +24,7 @@ from robosmi.transformations.t2m.c_source.parsing.invocation import VIRTUAL
 from robosmi.transformations.t2m.c_source.parsing.source import ReadSource
 from robosmi.transformations.t2m.c_source.parsing.translation_unit import Parsed, parse
 from robosmi.transformations.t2m.c_source.parsing.tree import MAX_TREE_DEPTH, Node
+from robosmi.transformations.t2m.c_source.types import enumerator_value
 
 UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = (
     cursor_kinds.UNEXPOSED_EXPR,
@@ -345,7 +346,7 @@ class _Reader:
 
         def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             if cursor.kind == _LITERAL:
-                values.append(int(self.lib.getEnumConstantDeclValue(cursor)))
+                values.append(enumerator_value(self.lib, cursor))
             return 1
 
         clang.visit(declared, visitor)

@@ -38,6 +38,9 @@ _POINTER, _ENUM, _DOUBLE = (
 _STORAGES = {0: "unspecified", 1: "unspecified", 2: "externStorage", 3: "staticStorage", 6: "autoStorage", 7: "registerStorage"}
 
 
+_UNSIGNED = frozenset(range(type_kinds.BOOL, type_kinds.CHAR_S))
+
+
 class Specifiers(Struct):
     """The specifiers before the declarators of a declaration.
 
@@ -54,6 +57,15 @@ class Specifiers(Struct):
     start: int
     base: str
     constant: bool
+
+
+def enumerator_value(lib: ClangLibrary, literal: Cursor) -> int:
+    """The value of a constant of an enumeration; libclang extends the sign of one that fills its unsigned type."""
+    value = int(lib.getEnumConstantDeclValue(literal))
+    if value >= 0:
+        return value
+    kind = lib.getCanonicalType(lib.getEnumDeclIntegerType(lib.getCursorSemanticParent(literal)))
+    return value & (1 << 8 * int(lib.Type_getSizeOf(kind))) - 1 if kind.kind in _UNSIGNED else value
 
 
 def storage(context: UnitContext, cursor: Cursor) -> ccode.Storage:

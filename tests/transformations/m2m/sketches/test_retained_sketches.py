@@ -28,7 +28,7 @@ def test_a_sketch_keeps_what_it_does(case: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("case", "lines"),
     [
-        ("kept_ints", [2, 3, 4]), ("linked_ints", []), ("formats", [8, 18, 19, 20]), ("fan", []), ("fan_two", [9]),
+        ("kept_ints", [2, 3, 4, 8, 16]), ("linked_ints", []), ("formats", [8, 18, 19, 20]), ("fan", []), ("fan_two", [9]),
         ("dim_stored", [2, 5, 10, 11]), ("port_modes", [16]), ("port_turns", [6, 9, 14]), ("deep_sleep", [1, 7, 11]),
         ("late_mode", [2, 3, 4, 9]), ("timer_servo", []), ("fan_registers", []), ("sleepy", []), ("words_in_flash", []),
         ("half_known", [6, 8, 9]), ("flash_words", [21]), ("own_names", []), ("no_value", [47]),

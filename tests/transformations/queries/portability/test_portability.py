@@ -66,6 +66,15 @@ def test_a_mega_has_another_order_of_interrupts_than_a_leonardo() -> None:
     assert "attach_interrupt_number" not in {place["kind"] for place in places(KINDS, "mega", "uno")}
 
 
+def test_a_pin_that_the_source_board_lacks_asks_for_the_board(tmp_path: Path) -> None:
+    sketch = tmp_path / "pads" / "pads.ino"
+    sketch.parent.mkdir()
+    sketch.write_text("void setup() {}\nvoid loop() { analogRead(A8); }\n")
+    said = [place["what"] for place in places(sketch, "pico") if place["kind"] == "analog_pin_above_A3"]
+    assert "neither has Arduino Uno: give the board of this sketch with --from" in said[0]
+    assert "--from" not in str(places(sketch, "pico", "mega"))
+
+
 def test_on_a_mega_14_is_no_analogue_pin() -> None:
     assert "analog_pin_as_14_to_19" not in {place["kind"] for place in places(KINDS, "pico", "mega")}
 

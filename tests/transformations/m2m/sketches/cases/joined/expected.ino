@@ -10,5 +10,5 @@ void setup() { Wire.begin(); }
 void loop() {
   feed(check, Wire.read());
   if ((uint16_t)((unsigned int)millis() - last) > 500) last = millis();
-  tone(8, axis() + (int)check);
+  tone(8, (uint16_t)(axis() + (int)check));
 }

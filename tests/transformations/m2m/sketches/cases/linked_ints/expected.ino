@@ -23,5 +23,5 @@ void loop() {
   move(&position);
   fill(ring, 4);
   raise(level);
-  tone(8, (int16_t)(left.ticks + sum.total + position + limit + ring[1] + *shown));
+  tone(8, (uint16_t)(left.ticks + sum.total + position + limit + ring[1] + *shown));
 }

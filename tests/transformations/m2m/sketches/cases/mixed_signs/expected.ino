@@ -13,6 +13,13 @@ union Pair {
 } pair;
 uint16_t near = 436, far = 500;
 int side = 200;
+enum Limit { NEAR = 1, FAR = 40000 };
+int16_t flags = 0;
+int16_t farthest = 0;
+int bits = 0;
+int16_t masked = 0;
+int pace = 3;
+const auto scale = 300;
 class Track {
   int16_t sum = 0;
 public:
@@ -62,5 +69,23 @@ void loop() {
   Serial.println((uint16_t)((unsigned)level) / 2);
   track.add(500);
   Serial.println(track.age(5));
+  bitWrite(flags, 15, reading > 9);
+  if (flags < 0) Serial.println("set");
+  bitSet(bits, 14);
+  masked &= 0xFFFF;
+  farthest = FAR;
+  if ((uint16_t)(level) < FAR) Serial.println("far");
+  if ((uint16_t)(level) == NEAR) Serial.println("near");
+  long most = (uint16_t)(max(level, wide));
+  Serial.println(most + min((uint16_t)(level), width));
+  Serial.println((uint16_t)(~wide));
+  if ((int)wide < level) Serial.println("turned");
+  pace += 7;
+  if (pace > 400) pace = 3;
+  long way = (int16_t)(pace * 200);
+  float mean = (int16_t)(pace * 200) / 3;
+  long whole = 200L * pace;
+  Serial.println((int16_t)(pace * 2) + way + mean + whole);
+  Serial.println((int16_t)(scale * 200));
   Serial.println(abs(level));
 }

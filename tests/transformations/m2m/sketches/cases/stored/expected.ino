@@ -6,6 +6,9 @@ typedef enum : int16_t { NORTH, SOUTH } Way;
 enum Small : uint8_t { NEAR, FAR };
 struct __attribute__((packed)) State { Mode mode; byte level; };
 struct Config { int16_t speed; float gain; Way way; Small small; };
+typedef struct __attribute__((packed)) { byte kind; int16_t x; float turn; } Pose;
+Pose pose;
+int16_t last = 7;
 State state = {FAST, 9};
 Config config;
 Mode mode = SLOW;
@@ -30,6 +33,8 @@ void setup() { EEPROM.begin(1024);
   EEPROM.put(38, true); EEPROM.commit();
   EEPROM.put(39, 40000); EEPROM.commit();
   EEPROM.put(43, 70000L); EEPROM.commit();
+  EEPROM.put(47, last); EEPROM.commit();
+  EEPROM.put(47 + sizeof(last), pose); EEPROM.commit();
 }
 
 void loop() {

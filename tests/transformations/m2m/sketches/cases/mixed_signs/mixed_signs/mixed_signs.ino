@@ -13,6 +13,13 @@ union Pair {
 } pair;
 uint16_t near = 436, far = 500;
 int side = 200;
+enum Limit { NEAR = 1, FAR = 40000 };
+int flags = 0;
+int farthest = 0;
+int bits = 0;
+int masked = 0;
+int pace = 3;
+const auto scale = 300;
 class Track {
   int sum = 0;
 public:
@@ -62,5 +69,23 @@ void loop() {
   Serial.println((unsigned)level / 2);
   track.add(500);
   Serial.println(track.age(5));
+  bitWrite(flags, 15, reading > 9);
+  if (flags < 0) Serial.println("set");
+  bitSet(bits, 14);
+  masked &= 0xFFFF;
+  farthest = FAR;
+  if (level < FAR) Serial.println("far");
+  if (level == NEAR) Serial.println("near");
+  long most = max(level, wide);
+  Serial.println(most + min(level, width));
+  Serial.println(~wide);
+  if ((int)wide < level) Serial.println("turned");
+  pace += 7;
+  if (pace > 400) pace = 3;
+  long way = pace * 200;
+  float mean = pace * 200 / 3;
+  long whole = 200L * pace;
+  Serial.println(pace * 2 + way + mean + whole);
+  Serial.println(scale * 200);
   Serial.println(abs(level));
 }

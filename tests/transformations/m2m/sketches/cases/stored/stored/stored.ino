@@ -6,6 +6,9 @@ typedef enum { NORTH, SOUTH } Way;
 enum Small : uint8_t { NEAR, FAR };
 struct State { Mode mode; byte level; };
 struct Config { int speed; double gain; Way way; Small small; };
+typedef struct { byte kind; int x; double turn; } Pose;
+Pose pose;
+int last = 7;
 State state = {FAST, 9};
 Config config;
 Mode mode = SLOW;
@@ -30,6 +33,8 @@ void setup() {
   EEPROM.put(38, true);
   EEPROM.put(39, 40000);
   EEPROM.put(43, 70000L);
+  EEPROM.put(47, last);
+  EEPROM.put(47 + sizeof(last), pose);
 }
 
 void loop() {
