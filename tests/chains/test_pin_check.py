@@ -238,5 +238,6 @@ TEXTS = tomllib.loads((CASES / "followed.toml").read_text())["text"]
 def test_what_reaches_a_pin_is_followed_through_cpp(text: dict[str, Any]) -> None:
     sketch = f'#include <Arduino.h>\n#include "adapters.h"\n{text["code"]}\n'.encode()
     program = GeneratedProgram({"robot.ino": sketch, "adapters.h": b"inline void high(int32_t p) { drive(p); }\n"}, "Arduino.h")
-    names = PinNames({"high": [PinPlace(0)]}, frozenset({"port"}), {}, {"12": 1}, 255)
+    functions = {"high": [PinPlace(0)], "port": [PinPlace(0, looked_up=True)]}
+    names = PinNames(functions, frozenset({"port"}), {}, {"12": 1}, 255)
     assert [wrong.what for wrong in follow_pins(program, names).wrong] == text["what"]

@@ -25,6 +25,10 @@ from robosmi.transformations.queries.written_arrays import WrittenArrays
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
+_SIGNED = frozenset({"<", ">", "<=", ">=", "/", "%", ">>"})
+"""Operators whose result depends on whether their operands have a sign."""
+BOOLEAN = frozenset({"bool", "_Bool"})
+"""The type of truth values, 0 and 1, in C++ and C."""
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -82,7 +86,7 @@ class Values:
         return [Value(int(literal.value), "literal")]
 
     def _cast(self, cast: ccode.Cast) -> list[Value]:
-        return self.of(cast.operand)
+        return _held(cast.target, self.of(cast.operand))
 
     def _unary(self, unary: ccode.Unary) -> list[Value]:
         change = _CHANGES.get(str(unary.operator))
@@ -99,10 +103,12 @@ class Values:
         left, right = self.of(binary.left), self.of(binary.right)
         if len(left) * len(right) > LIMIT:
             return [RUNTIME]
-        found = []
+        operator, found = str(binary.operator), []
         for a in left:
             for b in right:
-                number = None if a.number is None or b.number is None else calculate(str(binary.operator), a.number, b.number)
+                number = None if a.number is None or b.number is None else calculate(operator, a.number, b.number)
+                if number is not None and operator in _SIGNED and min(a.number or 0, b.number or 0) < 0 and _unsigned(binary):
+                    number = None
                 origin = "array" if "array" in (a.origin, b.origin) else "constant"
                 found.append(RUNTIME if number is None else Value(number, origin))
         return found
@@ -113,9 +119,9 @@ class Values:
             return [Value(int(target.value), "constant")]
         if isinstance(target, ccode.Variable):
             counter = self._counter(reference, target)
-            return counter if counter is not None else self._guarded(target, "variable", self._variable)
+            return _held(target.valueType, counter or self._guarded(target, "variable", self._variable))
         if isinstance(target, ccode.Parameter):
-            return self._guarded(target, "parameter", self._parameter)
+            return _held(target.valueType, self._guarded(target, "parameter", self._parameter))
         if (target is None and str(reference.name) in self.macros) or str(reference.name) in self._own_macros:
             return self._macro(str(reference.name))
         return self._constant(str(reference.name))
@@ -270,6 +276,33 @@ _METHODS: dict[str, Callable[[Values, Any], list[Value]]] = {
     "Macro": Values._macro_itself,
 }
 _CHANGES: dict[str, Callable[[int], int]] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
+
+
+def _unsigned(expression: ccode.Expression | None) -> bool:
+    """Whether something in an expression may have no sign, so that a negative number beside it is a large one."""
+    pending = [expression]
+    while pending:
+        one = pending.pop()
+        if isinstance(one, ccode.Binary):
+            pending += [one.left, one.right]
+        elif isinstance(one, ccode.Unary):
+            pending.append(one.operand)
+        elif isinstance(one, ccode.IntegerLiteral):
+            if "u" in str(one.text).lower():
+                return True
+        elif not isinstance(one, ccode.CharacterLiteral):
+            target = one.target if isinstance(one, (ccode.NameReference, ccode.Cast)) else None
+            use = target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter)) else target
+            if not isinstance(target, ccode.EnumerationLiteral) and not (isinstance(use, ccode.TypeUse) and use.signed):
+                return True
+    return False
+
+
+def _held(use: ccode.TypeUse | None, values: list[Value]) -> list[Value]:
+    """What a type holds of values: a truth value is 0 or 1."""
+    if use is None or use.canonical not in BOOLEAN:
+        return values
+    return [value if value.number is None else Value(int(bool(value.number)), value.origin) for value in values]
 
 
 def _distinct(values: list[Value]) -> list[Value]:

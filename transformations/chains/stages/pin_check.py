@@ -80,7 +80,8 @@ def pin_findings(
             continue
         written = f", written in line {each.at[1]} of {each.at[0]}" if each.at != (each.file, each.line) and each.at[0] else ""
         message = f"line {each.line} of {each.file}: a pin of '{each.function}' is {each.what}{written}"
-        made.append((_finding(message, at), _calls_at(calls.get(each.function, []), at)))
+        takers = [each.function] if each.function in calls else [name for name in calls if name in checked.functions]
+        made.append((_finding(message, at), _calls_at([call for name in takers for call in calls[name]], at)))
     made += _missing_changes(plan, program, sources)
     made += _unseen_calls(calls, checked, program)
     made += _ports_of_one_name(plan)

@@ -15,7 +15,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import type_of
+from robosmi.transformations.queries.expression_type import expectations, type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
 from robosmi.transformations.queries.flows.classes import Classes, member_type, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
@@ -35,7 +35,7 @@ from robosmi.transformations.queries.initialisers import leaves, members_given, 
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.own_headers import is_member
-from robosmi.transformations.queries.values import calls_of_value
+from robosmi.transformations.queries.values import BOOLEAN, calls_of_value
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -142,6 +142,8 @@ class FlowReader:
         if expression is None:  # in text that the parser could not read
             self._unread += 1
             return self._once(("unread", self._unread), "it is in text that could not be parsed")
+        if id(expression) in self._truths:
+            return self._truth(expression)
         if isinstance(expression, ccode.Cast):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -264,6 +266,30 @@ class FlowReader:
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
         return key
 
+    @cached_property
+    def _truths(self) -> frozenset[int]:
+        """`id` of each expression whose value becomes 0 or 1, since a truth value takes it."""
+        if not any(b"bool" in data.lower() for data in self.sources.values()):
+            return frozenset()
+        given = (one for view in self.views for one, kind in expectations(view, {}) if not kind.depth and kind.base in BOOLEAN)
+        casts = (cast for view in self.views for cast in view.of_kind(ccode.Cast))
+        made = (cast.operand for cast in casts if cast.target is not None and cast.target.canonical in BOOLEAN)
+        return frozenset(map(id, (*given, *made)))
+
+    def _truth(self, expression: ccode.Expression) -> Hashable:
+        """The key of a value that becomes 0 or 1, so that no number in the text is the one that goes on."""
+        key = ("truth", id(expression))
+        if key not in self._known:
+            self._known.add(key)
+            why = f"line {expression.line} makes it 0 or 1"
+            number = expression.value if isinstance(expression, (ccode.IntegerLiteral, ccode.CharacterLiteral)) else None
+            unit = ancestor_of_kind(expression, ccode.SourceUnit)
+            if number is not None and unit is not None:
+                start, end = int(expression.startOffset), int(expression.endOffset)
+                self.put(key, unit, start, end, int(bool(number)), expression, "")
+            self.flows.freeze(key, why, computed=number is None)
+        return key
+
     def _is_constant(self, reference: ccode.NameReference) -> bool:
         """Whether a name is a pin of the board by the platform, and not the program's own."""
         target = reference.target
@@ -349,7 +375,7 @@ class FlowReader:
         """Join the flow of a thing with that of an expression which it is given."""
         self.flows.join(taker, self.value(expression))
         unit = ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None
-        if unit is not None and expression is not None:
+        if unit is not None and expression is not None and id(expression) not in self._truths:
             self.flows.of(taker).given.append((unit, expression))
 
     def _taken(self, reference: ccode.NameReference) -> None:

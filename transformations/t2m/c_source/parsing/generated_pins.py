@@ -8,6 +8,7 @@ of the plan has put into the text, or the result of a look-up. All places that w
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -36,6 +37,13 @@ from robosmi.transformations.t2m.c_source.parsing.generated_names import (
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 from robosmi.transformations.t2m.c_source.parsing.generated_tree import GeneratedNode, own_nodes
 from robosmi.transformations.t2m.c_source.parsing.generated_values import GeneratedValues
+
+
+_COUNTED = frozenset((b"__LINE__", b"__COUNTER__"))
+"""Macros whose value follows from where the text stands, so that it differs from the source's."""
+_NAME = re.compile(rb"[A-Za-z_]\w*")
+_MACRO = re.compile(rb"^[ \t]*#[ \t]*define[ \t]+(\w+)((?:[^\n\\]|\\\n?)*)", re.MULTILINE)
+OF_PLACE = "a number that the preprocessor counts (__LINE__, __COUNTER__) and that may differ from the source's"
 
 
 class PinPlace(NamedTuple):
@@ -130,6 +138,7 @@ class _Flows(GeneratedValues):
         super().__init__(program, names.functions.keys())
         self.names = names
         self._known: dict[Key, frozenset[Origin]] = {}
+        self._counted = _counted_names(list(program.files.values()))
 
     def check(self) -> PinCheck:
         """Follow each value that reaches a pin."""
@@ -141,6 +150,9 @@ class _Flows(GeneratedValues):
             if sink.place.none and self.text(sink.argument) in sink.place.none:
                 continue
             for leaf in sorted(self._leaves(sink.argument), key=lambda each: (each.place, each.what)):
+                if leaf.what == OF_PLACE:
+                    self._report(found, sink, OF_PLACE, leaf.place[:2])
+                    continue
                 if leaf.text and sink.place.looked_up and self.names.named:
                     continue
                 if leaf.text:
@@ -168,6 +180,22 @@ class _Flows(GeneratedValues):
         file, line = clang.line_of(self.library.getCursorLocation(sink.call.cursor))
         name = clang.file_name(file).removeprefix(f"{SKETCH}/")
         found.setdefault((name, line, sink.function), WrongPin(name, line, sink.function, what, at))
+
+    def origin(self, what: str, node: GeneratedNode, text: str = "") -> Origin:
+        """The origin of a value; of a number that the preprocessor counts, or that is calculated with one, `OF_PLACE`."""
+        looked_up = node.kind == kinds.CALL_EXPR  # the argument is followed, too
+        counted = not looked_up and self._is_counted(node)
+        return super().origin(OF_PLACE, node) if counted else super().origin(what, node, text)
+
+    def _is_counted(self, node: GeneratedNode) -> bool:
+        """Whether a number in an expression comes out of a macro that counts."""
+        for each in node.below() if self._counted else ():
+            if each.kind == kinds.INTEGER_LITERAL:
+                file, offset = clang.file_offset(self.library.getCursorLocation(each.cursor))
+                name = _NAME.match(self.program.texts.get(clang.file_name(file), b""), offset)
+                if name is not None and name[0] in self._counted:
+                    return True
+        return False
 
     def _leaves(self, argument: GeneratedNode) -> Iterable[Origin]:
         """The origins of an argument's value; those of a thing are found once."""
@@ -240,7 +268,7 @@ class _Flows(GeneratedValues):
 
     def _number(self, node: GeneratedNode) -> list[GeneratedNode | Key | Origin]:
         value = self._evaluated(node)
-        if value == self.names.unbound:
+        if value == self.names.unbound and not self._is_counted(node):
             return []
         if str(value) in self.names.literals:
             return [self.origin("", node, str(value))]
@@ -317,3 +345,16 @@ class _Flows(GeneratedValues):
         if operator in (ADDRESS, DEREFERENCE, PLUS) and inner:
             return [inner[0]]
         return [self.origin("a calculation", node)]
+
+
+def _counted_names(texts: Sequence[bytes]) -> frozenset[bytes]:
+    """The macros that count, and the program's own whose text names one of them; none where the program uses none."""
+    used = any(name in text for text in texts for name in _COUNTED)
+    if not used:
+        return frozenset()
+    bodies = [(found[1], set(_NAME.findall(found[2]))) for text in texts for found in _MACRO.finditer(text)]
+    counted, before = set(_COUNTED), 0
+    while len(counted) > before:
+        before = len(counted)
+        counted |= {name for name, words in bodies if words & counted}
+    return frozenset(counted)
