@@ -212,6 +212,19 @@ def test_an_index_that_stands_before_its_array_is_followed() -> None:
     assert [f.message for f in fired(models)] == []
 
 
+def test_a_number_that_a_truth_value_takes_is_0_or_1() -> None:
+    models = plan_of("converted/truths.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [1, 3, 5]
+    assert [f.message for f in fired(models)] == []
+
+
+def test_a_negative_number_beside_an_unsigned_one_gives_no_port() -> None:
+    """It is a large one there, so that `-1 < 0u` is 0; of that the list of ports says that it is not known."""
+    models = plan_of("converted/signs.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [6, 16]
+    assert [f.line for f in models.plan.findings if f.rule == "RS327"] == [5]
+
+
 def test_calls_whose_ports_only_the_running_program_knows_are_not_said_to_need_nothing() -> None:
     work = Work(plan_of("indexes/run_time.c", {"P3": "D9"}, project=False).plan)
     assert work.calls["waits_for_port"] == 2

@@ -86,7 +86,8 @@ class Values:
         return [Value(int(literal.value), "literal")]
 
     def _cast(self, cast: ccode.Cast) -> list[Value]:
-        return _held(cast.target, self.of(cast.operand))
+        values, use = self.of(cast.operand), cast.target
+        return _truths(values) if use is not None and use.canonical in BOOLEAN else values
 
     def _unary(self, unary: ccode.Unary) -> list[Value]:
         change = _CHANGES.get(str(unary.operator))
@@ -119,9 +120,9 @@ class Values:
             return [Value(int(target.value), "constant")]
         if isinstance(target, ccode.Variable):
             counter = self._counter(reference, target)
-            return _held(target.valueType, counter or self._guarded(target, "variable", self._variable))
+            return counter if counter is not None else self._guarded(target, "variable", self._held)
         if isinstance(target, ccode.Parameter):
-            return _held(target.valueType, self._guarded(target, "parameter", self._parameter))
+            return self._guarded(target, "parameter", self._held)
         if (target is None and str(reference.name) in self.macros) or str(reference.name) in self._own_macros:
             return self._macro(str(reference.name))
         return self._constant(str(reference.name))
@@ -146,6 +147,12 @@ class Values:
         if len(assigned) != 1:
             return [RUNTIME]
         return [v if v.origin in ("array", "runtime") else Value(v.number, "constant") for v in self.of(assigned[0])]
+
+    def _held(self, target: ccode.Variable | ccode.Parameter) -> list[Value]:
+        """The values of a variable or parameter, as its type holds them."""
+        given = self._variable(target) if isinstance(target, ccode.Variable) else self._parameter(target)
+        use = target.valueType
+        return _truths(given) if use is not None and use.canonical in BOOLEAN else given
 
     def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         """The values of a variable that is the counter of a for loop around the reference; None if there is no such loop."""
@@ -217,7 +224,7 @@ class Values:
             return self._constants.get(name)
         if isinstance(declaration, ccode.EnumerationLiteral):
             return int(declaration.value)
-        values = self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else []
+        values = self._guarded(declaration, "variable", self._held) if isinstance(declaration, ccode.Variable) else []
         return values[0].number if len(values) == 1 else None
 
     def _index(self, index: ccode.Index) -> list[Value]:
@@ -298,10 +305,8 @@ def _unsigned(expression: ccode.Expression | None) -> bool:
     return False
 
 
-def _held(use: ccode.TypeUse | None, values: list[Value]) -> list[Value]:
-    """What a type holds of values: a truth value is 0 or 1."""
-    if use is None or use.canonical not in BOOLEAN:
-        return values
+def _truths(values: list[Value]) -> list[Value]:
+    """What is left of values that become truth values: 0 or 1."""
     return [value if value.number is None else Value(int(bool(value.number)), value.origin) for value in values]
 
 

@@ -183,13 +183,13 @@ class _Flows(GeneratedValues):
 
     def origin(self, what: str, node: GeneratedNode, text: str = "") -> Origin:
         """The origin of a value; of a number that the preprocessor counts, or that is calculated with one, `OF_PLACE`."""
-        looked_up = node.kind == kinds.CALL_EXPR  # the argument is followed, too
-        counted = not looked_up and self._is_counted(node)
-        return super().origin(OF_PLACE, node) if counted else super().origin(what, node, text)
+        if self._counted and node.kind != kinds.CALL_EXPR and self._is_counted(node):  # of a look-up, the argument is followed
+            return super().origin(OF_PLACE, node)
+        return super().origin(what, node, text)
 
     def _is_counted(self, node: GeneratedNode) -> bool:
         """Whether a number in an expression comes out of a macro that counts."""
-        for each in node.below() if self._counted else ():
+        for each in node.below():
             if each.kind == kinds.INTEGER_LITERAL:
                 file, offset = clang.file_offset(self.library.getCursorLocation(each.cursor))
                 name = _NAME.match(self.program.texts.get(clang.file_name(file), b""), offset)
@@ -268,7 +268,7 @@ class _Flows(GeneratedValues):
 
     def _number(self, node: GeneratedNode) -> list[GeneratedNode | Key | Origin]:
         value = self._evaluated(node)
-        if value == self.names.unbound and not self._is_counted(node):
+        if value == self.names.unbound and not (self._counted and self._is_counted(node)):
             return []
         if str(value) in self.names.literals:
             return [self.origin("", node, str(value))]
