@@ -10,16 +10,17 @@ from functools import cache
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.model.elements.ordering import post_order
+from robosmi.transformations.chains.stages.pin_check import LOOK_UPS
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import chip_macros
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.expression_type import ARITHMETIC, of_use
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.retained_pins import move_facts, retains_platform
-from robosmi.transformations.queries.source_text import HEADERS, codec_of
+from robosmi.transformations.queries.source_text import HEADERS, codec_of, words_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
@@ -30,6 +31,10 @@ _MOST_MEMBERS = 100_000
 
 No microcontroller has the memory for such a variable.
 """
+_PLAIN_KINDS = frozenset({"function", "variable", "constant"})
+"""Kinds of names that change no syntax where their header is missing."""
+_MACROS = frozenset({"offsetof", "va_arg", "va_start", "va_end", "va_copy"})
+"""Macros of the language's headers that take types."""
 _MOST = 10
 """Limit on the reported lines of a program that changes its platform; of any other one, each line is a task."""
 _TOLD_BEFORE = frozenset({"RS101", "RS312", "RS350"})
@@ -112,7 +117,7 @@ def compiler_errors(
     ]  # fmt: skip
     place = source_place(plan, program, sources)
     known = {(str(f.path), int(f.line)) for f in plan.findings if f.rule in _TOLD_BEFORE}
-    for each in compiler_complaints(program) if target_of(plan).language != "C" else ():
+    for each in compiler_complaints(program, _known_words(plan, sources)) if target_of(plan).language != "C" else ():
         at = place(each.file, each.line)
         if at is None or (at.path, at.line) not in known:
             message = f"line {each.line} of {each.file}: {each.message}"
@@ -124,6 +129,21 @@ def compiler_errors(
         found = [*(f for number, f in enumerate(found) if number < _MOST - 1)]
         found.append(Finding(RULE, Severity.warning, more, first.location, fix=first.fix))
     return plan_findings(plan, found, {str(unit.path): str(unit.path) for unit in plan.program.units})
+
+
+def _known_words(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Callable[[str], bool]:
+    """The function from a word of the program to whether it is the source's or the plan's own, and no macro or type of a header."""
+    own = {"setup", "loop", *LOOK_UPS, *ARITHMETIC, *(str(connection.name) for connection in plan.connections)}
+    written = cache(lambda: words_of(sources.values()))
+    api = cache(lambda: ApiIndex.load(str(plan.source.name)) if plan.source is not None else None)
+
+    def known(word: str) -> bool:
+        if word in own:
+            return True  # a name that a rule changes gets an underscore at its end
+        index = api() if word.rstrip("_") in written() and word not in _MACROS else None
+        return index is not None and all(entry.kind in _PLAIN_KINDS for entry in index.entries(word))
+
+    return known
 
 
 def source_place(

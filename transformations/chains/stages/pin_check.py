@@ -83,7 +83,8 @@ def pin_findings(
         takers = [each.function] if each.function in calls else [name for name in calls if name in checked.functions]
         made.append((_finding(message, at), _calls_at([call for name in takers for call in calls[name]], at)))
     made += _missing_changes(plan, program, sources)
-    made += _unseen_calls(calls, checked, program)
+    pointed = [c for c in _calls_of_flows(plan) if c.calleeExpression is not None and not c.calleeName]
+    made += _unseen_calls(calls, [c for c in pointed if not dropped(_path(c), int(c.startOffset))], checked)
     made += _ports_of_one_name(plan)
     paths = {str(unit.path): str(unit.path) for unit in (plan.program.units if plan.program is not None else ())}
     findings = plan_findings(plan, [finding for finding, _ in made], paths)
@@ -232,14 +233,23 @@ def _place_of(element: ccode.Located | None) -> Location | None:
 
 
 def _unseen_calls(
-    calls: Mapping[str, Sequence[ccode.Call]], checked: PinCheck, program: GeneratedProgram
+    calls: Mapping[str, Sequence[ccode.Call]], pointed: Sequence[ccode.Call], checked: PinCheck
 ) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:
-    """Functions with pins of which the finished text has fewer calls than the source, so that some were not followed."""
+    """Functions with pins of which the finished text has fewer calls than the source, so that some were not followed.
+
+    Args:
+        calls: the calls of each function in the source.
+        pointed: its calls through pointers that may reach such a function.
+        checked: what was found in the finished text.
+    """
     for name, known in calls.items():
         if name in checked.functions and checked.seen[name] < len(known):
             some = f"{len(known) - checked.seen[name]} of {quantity(len(known), 'call')}"
             message = f"{some} of '{name}' could not be followed in the sketch"
             yield _finding(message, _place_of(known[0])), known
+    if checked.pointed < len(pointed):
+        some = f"{len(pointed) - checked.pointed} of {quantity(len(pointed), 'call')}"
+        yield _finding(f"{some} through pointers could not be followed in the sketch", _place_of(pointed[0])), pointed
 
 
 def _ports_of_one_name(plan: migration.MigrationPlan) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:

@@ -62,7 +62,17 @@ class FlowReader:
         self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
         """Constant of the platform that is a pin of the board -> its number."""
         functions = (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition)
-        self.functions = {str(function.name): function for function in functions if not is_member(function)}
+        self.functions: dict[str, ccode.Function] = {}
+        """Name -> the function of that name, of several static ones any, and the one that all files share before them."""
+        self._of_file: dict[tuple[int, str], ccode.Function] = {}
+        """(`id` of the unit, name) -> its static function."""
+        for function in functions:
+            if not is_member(function):
+                static = function.storage is ccode.Storage.staticStorage
+                if static:
+                    self._of_file[(id(function.eContainer()), str(function.name))] = function
+                if not static or str(function.name) not in self.functions:
+                    self.functions[str(function.name)] = function
         self.classes = Classes(views)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
@@ -104,12 +114,17 @@ class FlowReader:
     def called(self, call: ccode.Call) -> list[ccode.Function]:
         """The program's functions that a call may run."""
         callee = call.callee
-        if callee is None or ancestor_of_kind(callee, ccode.SourceUnit) is None:
+        unit = ancestor_of_kind(callee, ccode.SourceUnit) if callee is not None else None
+        if callee is None or unit is None:
             return []
         if is_member(callee):
             return self.classes.called(callee)
-        own = self.functions.get(str(call.calleeName or ""))
+        own = callee if callee.definition else self.defined(str(call.calleeName or ""), unit)
         return [own] if own is not None else []
+
+    def defined(self, name: str, unit: ccode.SourceUnit) -> ccode.Function | None:
+        """The function that a name means in a unit, if the program defines it."""
+        return self._of_file.get((id(unit), name)) or self.functions.get(name)
 
     # ---- what things are
 

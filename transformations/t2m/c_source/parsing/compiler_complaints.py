@@ -1,16 +1,17 @@
 """Finds what a C++ compiler will refuse in a finished program, by parsing it with libclang before anybody compiles it.
 
 The target's own headers may be missing (`generated_program`). So only errors count that these headers cannot cause, and of
-undeclared names only functions that the program itself defines. The checks made while reading
+undeclared names only functions that the program itself defines, and of the syntax only lines of which each word is known. The checks made while reading
 (`m2m.language.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Set
 from typing import NamedTuple
 
+from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
 from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 
@@ -42,6 +43,8 @@ _SURE = re.compile(
 )
 """Matches errors that are about the program itself, not about a missing header."""
 _UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
+_EXPECTED = re.compile(r"expected |unexpected |.*: expected ")
+"""Matches errors of syntax, which a macro or a type of a missing header causes, too."""
 _ERROR = re.compile(rb"[ \t]*#[ \t]*error\b")
 _DEFINED = re.compile(rb"\b(\w+)[ \t]*\([^;{}()]*\)\s*\{")
 """Functions that a text defines, and statements with a condition, whose names no identifier has."""
@@ -61,13 +64,16 @@ class CompilerComplaint(NamedTuple):
     message: str
 
 
-def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
+def compiler_complaints(
+    program: GeneratedProgram, is_known: Callable[[str], bool] = lambda word: False
+) -> list[CompilerComplaint]:
     """The lines of a program's files that a compiler refuses, each once, in the order of the files.
 
     None are reported of a program that nests too deep for libclang; reading it has reported that.
 
     Args:
         program: the program, in C++.
+        is_known: whether a word that is no keyword is the program's own, and no macro or type of a header.
     """
     own = (
         set[str]()
@@ -77,13 +83,15 @@ def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
     )
     told: dict[tuple[str, int], CompilerComplaint] = {}
     for _, unit in program.units:
-        for each in _complaints(unit, program.texts, own, program.complete):
+        for each in _complaints(unit, program.texts, own, program.complete, is_known):
             if each.file != program.adapters:
                 told.setdefault((each.file, each.line), each)
     return list(told.values())
 
 
-def _complaints(unit: int, texts: Mapping[str, bytes], own: Set[str], board: bool) -> Iterator[CompilerComplaint]:
+def _complaints(
+    unit: int, texts: Mapping[str, bytes], own: Set[str], board: bool, is_known: Callable[[str], bool]
+) -> Iterator[CompilerComplaint]:
     """The errors of a unit; `board` says whether the board's macros are there, so that `#error` is the program's answer to it."""
     library = clang.library()
     for number in range(library.getNumDiagnostics(unit)):
@@ -95,7 +103,16 @@ def _complaints(unit: int, texts: Mapping[str, bytes], own: Set[str], board: boo
             name = clang.file_name(file)
             if name.startswith(SKETCH):
                 by_program = board and _ERROR.match(texts[name], texts[name].rfind(b"\n", 0, offset) + 1) is not None
-                if _SURE.match(message) or (unknown is not None and unknown[1] in own) or by_program:
+                sure = _SURE.match(message) or (unknown is not None and unknown[1] in own) or by_program
+                if sure or (not board and _EXPECTED.match(message) and _is_plain(texts[name], offset, is_known)):
                     line = texts[name].count(b"\n", 0, offset) + 1
                     yield CompilerComplaint(name.removeprefix(f"{SKETCH}/"), line, f"#error {message}" if by_program else message)
         library.disposeDiagnostic(handle)
+
+
+def _is_plain(text: bytes, offset: int, is_known: Callable[[str], bool]) -> bool:
+    """Whether each word of the line at an offset, and of the one before that has any, is a keyword or known."""
+    end = text.find(b"\n", offset)
+    lines = [line for line in text[: end if end >= 0 else len(text)].split(b"\n") if line.strip()][-2:]
+    words = {text for line in lines for kind, _, _, text in tokens(line) if kind == "name"}
+    return all(word in KEYWORDS or is_known(word) for word in words)

@@ -105,11 +105,13 @@ class PinCheck(NamedTuple):
         wrong: the values that are no pins, each once for a call.
         functions: the functions with pins.
         seen: function with a pin -> how many calls of it were seen.
+        pointed: how many calls through pointers were seen.
     """
 
     wrong: list[WrongPin]
     functions: frozenset[str]
     seen: Counter[str]
+    pointed: int
 
 
 class _Sink(NamedTuple):
@@ -166,7 +168,8 @@ class _Flows(GeneratedValues):
             if len(places) > self.names.literals.get(text, 0):
                 for sink in at_raw[text]:
                     self._report(found, sink, f"the number {text}, which no port of the plan has put there", ("", 0))
-        return PinCheck(list(found.values()), frozenset(self.names.functions), Counter(name for _, name, _ in self.calls))
+        seen = Counter(name for _, name, _ in self.calls)
+        return PinCheck(list(found.values()), frozenset(self.names.functions), seen, len(self.indirect))
 
     def _sinks(self) -> Iterator[_Sink]:
         """The arguments that are pins; in calls through pointers those that may be."""
