@@ -132,7 +132,12 @@ def compiler_errors(
 
 
 def _known_words(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Callable[[str], bool]:
-    """The function from a word of the program to whether it is the source's or the plan's own, and no macro or type of a header."""
+    """The function from a word of the program to whether it is the source's or the plan's own, and no macro or type of a header.
+
+    No word is known where the source itself has an error, which is told there.
+    """
+    if any(finding.rule == "RS101" for finding in plan.findings):
+        return lambda word: False
     own = {"setup", "loop", *LOOK_UPS, *ARITHMETIC, *(str(connection.name) for connection in plan.connections)}
     written = cache(lambda: words_of(sources.values()))
     api = cache(lambda: ApiIndex.load(str(plan.source.name)) if plan.source is not None else None)
