@@ -286,10 +286,15 @@ _CHANGES: dict[str, Callable[[int], int]] = {"-": lambda v: -v, "+": lambda v: v
 
 
 def _unsigned(expression: ccode.Expression | None) -> bool:
-    """Whether something in an expression may have no sign, so that a negative number beside it is a large one."""
-    pending = [expression]
+    """Whether something in an expression may have no sign, so that a negative number beside it is a large one.
+
+    Of an expression of very many parts this is not asked.
+    """
+    pending, seen = [expression], 0
     while pending:
-        one = pending.pop()
+        one, seen = pending.pop(), seen + 1
+        if seen > LIMIT:
+            return True
         if isinstance(one, ccode.Binary):
             pending += [one.left, one.right]
         elif isinstance(one, ccode.Unary):

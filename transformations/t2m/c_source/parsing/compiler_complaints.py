@@ -1,14 +1,15 @@
 """Finds what a C++ compiler will refuse in a finished program, by parsing it with libclang before anybody compiles it.
 
-The target's own headers may be missing (`generated_program`). So only errors count that these headers cannot cause, and of
-undeclared names only functions that the program itself defines, and of the syntax only lines of which each word is known. The checks made while reading
-(`m2m.language.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
+The target's own headers may be missing (`generated_program`). So only errors count that these headers cannot cause, of
+undeclared names only functions that the program itself defines, and errors of syntax only in lines of which each word is known.
+The checks made while reading (`m2m.language.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Set
+from functools import cache
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
@@ -94,6 +95,7 @@ def _complaints(
 ) -> Iterator[CompilerComplaint]:
     """The errors of a unit; `board` says whether the board's macros are there, so that `#error` is the program's answer to it."""
     library = clang.library()
+    plain = cache(lambda name, start: _is_plain(texts[name], start, is_known))  # a line may have many errors
     for number in range(library.getNumDiagnostics(unit)):
         handle = library.getDiagnostic(unit, number)
         if library.getDiagnosticSeverity(handle) >= clang.ERROR:
@@ -104,15 +106,15 @@ def _complaints(
             if name.startswith(SKETCH):
                 by_program = board and _ERROR.match(texts[name], texts[name].rfind(b"\n", 0, offset) + 1) is not None
                 sure = _SURE.match(message) or (unknown is not None and unknown[1] in own) or by_program
-                if sure or (not board and _EXPECTED.match(message) and _is_plain(texts[name], offset, is_known)):
+                if sure or (not board and _EXPECTED.match(message) and plain(name, texts[name].rfind(b"\n", 0, offset) + 1)):
                     line = texts[name].count(b"\n", 0, offset) + 1
                     yield CompilerComplaint(name.removeprefix(f"{SKETCH}/"), line, f"#error {message}" if by_program else message)
         library.disposeDiagnostic(handle)
 
 
-def _is_plain(text: bytes, offset: int, is_known: Callable[[str], bool]) -> bool:
-    """Whether each word of the line at an offset, and of the one before that has any, is a keyword or known."""
-    end = text.find(b"\n", offset)
-    lines = [line for line in text[: end if end >= 0 else len(text)].split(b"\n") if line.strip()][-2:]
-    words = {text for line in lines for kind, _, _, text in tokens(line) if kind == "name"}
+def _is_plain(text: bytes, start: int, is_known: Callable[[str], bool]) -> bool:
+    """Whether each word of the line that starts at an offset, and of the one before that has any, is a keyword or known."""
+    end = text.find(b"\n", start)
+    before = text.rfind(b"\n", 0, len(text[:start].rstrip()) if start else 0) + 1
+    words = {word for kind, _, _, word in tokens(text[before : end if end >= 0 else len(text)]) if kind == "name"}
     return all(word in KEYWORDS or is_known(word) for word in words)

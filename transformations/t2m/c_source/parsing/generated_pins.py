@@ -38,7 +38,6 @@ from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETC
 from robosmi.transformations.t2m.c_source.parsing.generated_tree import GeneratedNode, own_nodes
 from robosmi.transformations.t2m.c_source.parsing.generated_values import GeneratedValues
 
-
 _COUNTED = frozenset((b"__LINE__", b"__COUNTER__"))
 """Macros whose value follows from where the text stands, so that it differs from the source's."""
 _NAME = re.compile(rb"[A-Za-z_]\w*")
@@ -355,9 +354,13 @@ def _counted_names(texts: Sequence[bytes]) -> frozenset[bytes]:
     used = any(name in text for text in texts for name in _COUNTED)
     if not used:
         return frozenset()
-    bodies = [(found[1], set(_NAME.findall(found[2]))) for text in texts for found in _MACRO.finditer(text)]
-    counted, before = set(_COUNTED), 0
-    while len(counted) > before:
-        before = len(counted)
-        counted |= {name for name, words in bodies if words & counted}
+    users: dict[bytes, list[bytes]] = {}
+    for found in (each for text in texts for each in _MACRO.finditer(text)):
+        for word in set(_NAME.findall(found[2])):
+            users.setdefault(word, []).append(found[1])
+    counted, waiting = set(_COUNTED), [*_COUNTED]
+    while waiting:
+        new = {name for name in users.get(waiting.pop(), ()) if name not in counted}
+        counted |= new
+        waiting += new
     return frozenset(counted)
