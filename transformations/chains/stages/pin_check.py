@@ -72,7 +72,7 @@ def pin_findings(
         calls.setdefault(name, []).extend(c for c in made_there if not dropped(_path(c), int(c.startOffset)))
     if any(name in checked.functions and checked.seen[name] < len(known) for name, known in calls.items()):
         checked = follow_pins(program, names) if program.declare_constants() else checked
-    concerned = _concerned(calls, checked.functions)
+    calls_at = _concerned(calls, checked.functions)
     made: list[tuple[Finding, Sequence[ccode.Call]]] = []
     alike = {(_path(c), int(c.line)) for f in plan.portFlows if SAME_NUMBERS in f.evidence for c in f.calls}
     for each in checked.wrong:
@@ -81,7 +81,7 @@ def pin_findings(
             continue
         written = f", written in line {each.at[1]} of {each.at[0]}" if each.at != (each.file, each.line) and each.at[0] else ""
         message = f"line {each.line} of {each.file}: a pin of '{each.function}' is {each.what}{written}"
-        made.append((_finding(message, at), concerned(each.function, at)))
+        made.append((_finding(message, at), calls_at(each.function, at)))
     made += _missing_changes(plan, program, sources)
     pointed = [c for c in _calls_of_flows(plan) if c.calleeExpression is not None and not c.calleeName]
     made += _unseen_calls(calls, [c for c in pointed if not dropped(_path(c), int(c.startOffset))], checked)

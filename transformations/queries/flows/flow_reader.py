@@ -15,9 +15,9 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import expectations, type_of
+from robosmi.transformations.queries.expression_type import truth_values, type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
-from robosmi.transformations.queries.flows.classes import Classes, member_type, type_name
+from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
@@ -35,7 +35,7 @@ from robosmi.transformations.queries.initialisers import leaves, members_given, 
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.own_headers import is_member
-from robosmi.transformations.queries.values import BOOLEAN, calls_of_value
+from robosmi.transformations.queries.values import calls_of_value
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -61,19 +61,11 @@ class FlowReader:
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
         self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
         """Constant of the platform that is a pin of the board -> its number."""
-        functions = (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition)
-        self.functions: dict[str, ccode.Function] = {}
-        """Name -> the function of that name, of several static ones any, and the one that all files share before them."""
-        self._of_file: dict[tuple[int, str], ccode.Function] = {}
-        """(`id` of the unit, name) -> its static function."""
-        for function in functions:
-            if not is_member(function):
-                static = function.storage is ccode.Storage.staticStorage
-                if static:
-                    self._of_file[(id(function.eContainer()), str(function.name))] = function
-                if not static or str(function.name) not in self.functions:
-                    self.functions[str(function.name)] = function
+        self._truths = truth_values(views, sources)
+        """`id` of each expression whose value becomes 0 or 1."""
         self.classes = Classes(views)
+        self.functions = OwnFunctions(views, self.classes)
+        self.called = self.functions.called
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
@@ -111,21 +103,6 @@ class FlowReader:
         for view in views:
             self._macro_arguments(view)
 
-    def called(self, call: ccode.Call) -> list[ccode.Function]:
-        """The program's functions that a call may run."""
-        callee = call.callee
-        unit = ancestor_of_kind(callee, ccode.SourceUnit) if callee is not None else None
-        if callee is None or unit is None:
-            return []
-        if is_member(callee):
-            return self.classes.called(callee)
-        own = callee if callee.definition else self.defined(str(call.calleeName or ""), unit)
-        return [own] if own is not None else []
-
-    def defined(self, name: str, unit: ccode.SourceUnit) -> ccode.Function | None:
-        """The function that a name means in a unit, if the program defines it."""
-        return self._of_file.get((id(unit), name)) or self.functions.get(name)
-
     # ---- what things are
 
     def key(self, thing: Element | None) -> Hashable:
@@ -157,8 +134,8 @@ class FlowReader:
         if expression is None:  # in text that the parser could not read
             self._unread += 1
             return self._once(("unread", self._unread), "it is in text that could not be parsed")
-        if id(expression) in self._truths:
-            return self._truth(expression)
+        if id(expression) in self._truths and not isinstance(expression, ccode.IntegerLiteral):
+            return self._once(("truth", id(expression)), f"line {expression.line} makes it 0 or 1")
         if isinstance(expression, ccode.Cast):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -275,34 +252,13 @@ class FlowReader:
             name, within, holder = initialised_constant(literal, self._initialisers)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
-            start, end = int(literal.startOffset), int(literal.endOffset)
-            self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
+            start, end, number = int(literal.startOffset), int(literal.endOffset), int(literal.value)
+            if id(literal) in self._truths:
+                number = int(bool(number))
+                self.flows.freeze(key, f"line {literal.line} makes it 0 or 1")
+            self.put(key, unit, start, end, pin_number(number), holder, name, within)
             if not _WRITTEN.match(self.sources[unit.path], start, end):
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
-        return key
-
-    @cached_property
-    def _truths(self) -> frozenset[int]:
-        """`id` of each expression whose value becomes 0 or 1, since a truth value takes it."""
-        if not any(b"bool" in data.lower() for data in self.sources.values()):
-            return frozenset()
-        given = (one for view in self.views for one, kind in expectations(view, {}) if not kind.depth and kind.base in BOOLEAN)
-        casts = (cast for view in self.views for cast in view.of_kind(ccode.Cast))
-        made = (cast.operand for cast in casts if cast.target is not None and cast.target.canonical in BOOLEAN)
-        return frozenset(map(id, (*given, *made)))
-
-    def _truth(self, expression: ccode.Expression) -> Hashable:
-        """The key of a value that becomes 0 or 1, so that no number in the text is the one that goes on."""
-        key = ("truth", id(expression))
-        if key not in self._known:
-            self._known.add(key)
-            why = f"line {expression.line} makes it 0 or 1"
-            number = expression.value if isinstance(expression, (ccode.IntegerLiteral, ccode.CharacterLiteral)) else None
-            unit = ancestor_of_kind(expression, ccode.SourceUnit)
-            if number is not None and unit is not None:
-                start, end = int(expression.startOffset), int(expression.endOffset)
-                self.put(key, unit, start, end, int(bool(number)), expression, "")
-            self.flows.freeze(key, why, computed=number is None)
         return key
 
     def _is_constant(self, reference: ccode.NameReference) -> bool:
