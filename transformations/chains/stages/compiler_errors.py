@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
@@ -117,7 +117,7 @@ def compiler_errors(
     ]  # fmt: skip
     place = source_place(plan, program, sources)
     known = {(str(f.path), int(f.line)) for f in plan.findings if f.rule in _TOLD_BEFORE}
-    for each in compiler_complaints(program, _known_words(plan, sources)) if target_of(plan).language != "C" else ():
+    for each in compiler_complaints(program, _KnownWords(plan, sources)) if target_of(plan).language != "C" else ():
         at = place(each.file, each.line)
         if at is None or (at.path, at.line) not in known:
             message = f"line {each.line} of {each.file}: {each.message}"
@@ -131,24 +131,37 @@ def compiler_errors(
     return plan_findings(plan, found, {str(unit.path): str(unit.path) for unit in plan.program.units})
 
 
-def _known_words(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Callable[[str], bool]:
-    """The function from a word of the program to whether it is the source's or the plan's own, and no macro or type of a header.
+class _KnownWords:
+    """Tells of a word of the program whether it is the source's or the plan's own, and no macro or type of a header.
 
     No word is known where the source itself has an error, which is told there.
     """
-    if any(finding.rule == "RS101" for finding in plan.findings):
-        return lambda word: False
-    own = {"setup", "loop", *LOOK_UPS, *ARITHMETIC, *(str(connection.name) for connection in plan.connections)}
-    written = cache(lambda: words_of(sources.values()))
-    api = cache(lambda: ApiIndex.load(str(plan.source.name)) if plan.source is not None else None)
 
-    def known(word: str) -> bool:
-        if word in own:
-            return True  # a name that a rule changes gets an underscore at its end
-        index = api() if word.rstrip("_") in written() and word not in _MACROS else None
-        return index is not None and all(entry.kind in _PLAIN_KINDS for entry in index.entries(word))
+    def __init__(self, plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
+        self._plan, self._sources = plan, sources
 
-    return known
+    @cached_property
+    def _own(self) -> set[str]:
+        return {"setup", "loop", *LOOK_UPS, *ARITHMETIC, *(str(connection.name) for connection in self._plan.connections)}
+
+    @cached_property
+    def _written(self) -> set[str]:
+        """The words of the source; none if it has an error."""
+        broken = any(finding.rule == "RS101" for finding in self._plan.findings)
+        return set() if broken else words_of(self._sources.values())
+
+    @cached_property
+    def _api(self) -> ApiIndex | None:
+        return ApiIndex.load(str(self._plan.source.name)) if self._plan.source is not None else None
+
+    def __call__(self, word: str) -> bool:
+        """Whether a word is known."""
+        if not self._written or self._api is None:
+            return False
+        if word in self._own:
+            return True
+        plain = word.rstrip("_") in self._written and word not in _MACROS  # a rule that renames adds an underscore
+        return plain and all(entry.kind in _PLAIN_KINDS for entry in self._api.entries(word))
 
 
 def source_place(

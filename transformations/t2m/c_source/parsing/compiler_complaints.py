@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Set
-from functools import cache
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
@@ -95,7 +94,7 @@ def _complaints(
 ) -> Iterator[CompilerComplaint]:
     """The errors of a unit; `board` says whether the board's macros are there, so that `#error` is the program's answer to it."""
     library = clang.library()
-    plain = cache(lambda name, start: _is_plain(texts[name], start, is_known))  # a line may have many errors
+    plain: dict[tuple[str, int], bool] = {}
     for number in range(library.getNumDiagnostics(unit)):
         handle = library.getDiagnostic(unit, number)
         if library.getDiagnosticSeverity(handle) >= clang.ERROR:
@@ -105,8 +104,13 @@ def _complaints(
             name = clang.file_name(file)
             if name.startswith(SKETCH):
                 by_program = board and _ERROR.match(texts[name], texts[name].rfind(b"\n", 0, offset) + 1) is not None
-                sure = _SURE.match(message) or (unknown is not None and unknown[1] in own) or by_program
-                if sure or (not board and _EXPECTED.match(message) and plain(name, texts[name].rfind(b"\n", 0, offset) + 1)):
+                sure = bool(_SURE.match(message)) or (unknown is not None and unknown[1] in own) or by_program
+                if not sure and not board and _EXPECTED.match(message):
+                    at = (name, texts[name].rfind(b"\n", 0, offset) + 1)
+                    if at not in plain:  # a line may have many errors
+                        plain[at] = _is_plain(texts[name], at[1], is_known)
+                    sure = plain[at]
+                if sure:
                     line = texts[name].count(b"\n", 0, offset) + 1
                     yield CompilerComplaint(name.removeprefix(f"{SKETCH}/"), line, f"#error {message}" if by_program else message)
         library.disposeDiagnostic(handle)
