@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from msgspec import Struct
 
+import robosmi
 from robosmi.base.user_cache import CachedResults, code_version, write_cached
 
 
@@ -195,3 +196,11 @@ def test_the_version_of_code_in_an_archive_is_that_of_the_product(tmp_path: Path
         archive.writestr("versioned_zipped.py", "x = 1\n")
     monkeypatch.syspath_prepend(str(tmp_path / "archive.zip"))
     assert code_version("versioned_zipped") == code_version("versioned_zipped")
+
+
+def test_only_code_that_looks_at_the_owner_finds_files_in_the_cache() -> None:
+    root = Path(robosmi.__file__).parent
+    texts = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in root.rglob("*.py")}
+    places = {name for name, text in texts.items() if "cache_dir()" in text and not name.startswith("transformations/")}
+    locks = "verify/uploads/upload.py"  # files without content
+    assert places == {"base/user_cache.py", "base/user_folders.py", "verify/toolchains/archives.py", locks}

@@ -149,21 +149,46 @@ def test_without_the_mend_the_check_finds_a_variable_declared_again(monkeypatch:
     assert fired(plan_of("block_scope_extern/c02_blockext2.c"))
 
 
-def test_the_arguments_of_a_call_of_a_called_function_are_its_own() -> None:
-    models = plan_of("call_of_a_called_function/chosen.c")
-    assert fired(models) == []
+OUTER = {
+    "chosen.c": ("choose(1)(port(3))", "choose(0)(port(3))"),
+    "member.c": ("get(0)->on(port(3))", "get(1)->on(port(3))"),
+    "cast.c": ("((op)high)(port(3))", "(*(void (*)(int32_t))low)(port(3))"),
+}
+"""Program -> its calls whose callee has parentheses of its own, with the look-up at the right place."""
+
+
+@pytest.mark.parametrize("case", OUTER)
+def test_the_arguments_of_a_call_are_not_those_of_its_callee(case: str) -> None:
+    models = plan_of(f"call_of_a_called_function/{case}")
+    assert [f.message for f in fired(models)] == []
     text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))
-    assert "choose(1)(port(3))" in text
-    assert "choose(0)(port(3))" in text
+    assert all(call in text for call in OUTER[case])
 
 
-def test_without_the_mend_the_check_finds_the_other_list_of_arguments(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("case", "line"), [("chosen.c", 7), ("member.c", 6), ("cast.c", 4)])
+def test_without_the_mend_the_check_finds_the_other_list_of_arguments(
+    case: str, line: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def first(self: TokenText, end: int) -> list[list[Token]] | None:
-        names = (index for index in range(self.at(end) - 1, -1, -1) if self.tokens[index][0] == "name")
-        return self.arguments(next(names))
+        start = self.at(end) - 1
+        while self.tokens[start - 1][3] not in (";", "{", "}"):
+            start -= 1
+        return self.arguments(start)
 
     monkeypatch.setattr(TokenText, "last_arguments", first)
-    assert {f.line for f in fired(plan_of("call_of_a_called_function/chosen.c"))} >= {7}
+    assert line in {f.line for f in fired(plan_of(f"call_of_a_called_function/{case}"))}
+
+
+def test_static_functions_of_one_name_have_ports_of_their_own() -> None:
+    models = plan_of("static_names", {"P3": "D9", "P5": "D8"}, project=False)
+    assert [f.message for f in fired(models)] == []
+    assert calls_ready(models.plan)
+
+
+def test_an_enumerator_that_is_a_word_of_cpp_is_renamed_and_moved() -> None:
+    models = plan_of("renamed/words.c", {"private": "D9"}, project=False)
+    text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))
+    assert "enum { private_ = 9, public_ = 6 }" in text
 
 
 @pytest.mark.parametrize("case", ["d01_twoa.c", "d06_macro_in_two"])
@@ -212,6 +237,19 @@ def test_an_index_that_stands_before_its_array_is_followed() -> None:
     assert [f.message for f in fired(models)] == []
 
 
+def test_a_number_that_a_truth_value_takes_is_0_or_1() -> None:
+    models = plan_of("converted/truths.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [1, 3, 5]
+    assert [f.message for f in fired(models)] == []
+
+
+def test_a_negative_number_beside_an_unsigned_one_gives_no_port() -> None:
+    """It is a large one there, so that `-1 < 0u` is 0; of that the list of ports says that it is not known."""
+    models = plan_of("converted/signs.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [6, 16]
+    assert [f.line for f in models.plan.findings if f.rule == "RS327"] == [5]
+
+
 def test_calls_whose_ports_only_the_running_program_knows_are_not_said_to_need_nothing() -> None:
     work = Work(plan_of("indexes/run_time.c", {"P3": "D9"}, project=False).plan)
     assert work.calls["waits_for_port"] == 2
@@ -238,5 +276,6 @@ TEXTS = tomllib.loads((CASES / "followed.toml").read_text())["text"]
 def test_what_reaches_a_pin_is_followed_through_cpp(text: dict[str, Any]) -> None:
     sketch = f'#include <Arduino.h>\n#include "adapters.h"\n{text["code"]}\n'.encode()
     program = GeneratedProgram({"robot.ino": sketch, "adapters.h": b"inline void high(int32_t p) { drive(p); }\n"}, "Arduino.h")
-    names = PinNames({"high": [PinPlace(0)]}, frozenset({"port"}), {}, {"12": 1}, 255)
+    functions = {"high": [PinPlace(0)], "port": [PinPlace(0, looked_up=True)]}
+    names = PinNames(functions, frozenset({"port"}), {}, {"12": 1}, 255)
     assert [wrong.what for wrong in follow_pins(program, names).wrong] == text["what"]

@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.macros.tokens import names_in
 from robosmi.transformations.queries.names import name_or_text
-from robosmi.transformations.queries.own_headers import all_includes, includes_of_units, is_member
+from robosmi.transformations.queries.own_headers import all_includes, included, includes_of_units, is_member
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Values
 
@@ -137,7 +137,7 @@ class CodeView:
 
     @cached_property
     def _defined(self) -> set[str]:
-        return _definitions(self.program)
+        return _definitions(self.program, self.unit)
 
     @cached_property
     def values(self) -> Values:
@@ -380,10 +380,16 @@ def argument_numbers(call: ccode.Expression, place: int, values: ValuesOf) -> se
     return {value.number for each in given for value in values(unit).of(each)}
 
 
-def _definitions(program: ccode.Program) -> set[str]:
-    """The names of functions that a program defines; methods do not take the place of other functions of their names."""
-    functions = (d for unit in program.units for d in unit.declarations if isinstance(d, ccode.Function) and d.definition)
-    return {str(function.name) for function in functions if not is_member(function)}
+def _definitions(program: ccode.Program, unit: ccode.SourceUnit) -> set[str]:
+    """The names of functions that a program defines for a unit: its static ones, those of its headers, and all that are shared.
+
+    Methods do not take the place of other functions of their names.
+    """
+    shared = [d for other in program.units for d in other.declarations if isinstance(d, ccode.Function) and d.definition]
+    static = ccode.Storage.staticStorage
+    names = {str(function.name) for function in shared if function.storage is not static and not is_member(function)}
+    own = {id(each) for each in (unit, *included(unit))}
+    return names | {str(f.name) for f in shared if f.storage is static and id(f.eContainer()) in own}
 
 
 def _distinct(calls: Iterable[ccode.Call]) -> list[ccode.Call]:

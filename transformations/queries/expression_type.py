@@ -17,6 +17,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.values import BOOLEAN
 
 _QUALIFIERS = re.compile(
     r"\b(const|volatile|register|restrict|extern|static|struct|union|enum|__(?:const|volatile|restrict)(?:__)?)\b"
@@ -261,6 +262,21 @@ def expectations(view: CodeView, functions: Mapping[str, FunctionType]) -> Itera
             continue
         for argument, kind in zip(call.arguments, wanted, strict=False):
             yield from _value(argument, kind)
+
+
+def truth_values(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> frozenset[int]:
+    """`id` of each expression of a program whose value becomes 0 or 1, since a truth value takes it.
+
+    Args:
+        views: a view of each unit.
+        sources: path of a unit -> its bytes.
+    """
+    if not any(b"bool" in data.lower() for data in sources.values()):
+        return frozenset()
+    given = (one for view in views for one, kind in expectations(view, {}) if not kind.depth and kind.base in BOOLEAN)
+    casts = (cast for view in views for cast in view.of_kind(ccode.Cast))
+    made = (cast.operand for cast in casts if cast.target is not None and cast.target.canonical in BOOLEAN)
+    return frozenset(map(id, (*given, *made)))
 
 
 def _value(expression: ccode.Expression, kind: ValueType | None) -> Iterator[tuple[ccode.Expression, ValueType]]:

@@ -25,6 +25,10 @@ from robosmi.transformations.queries.written_arrays import WrittenArrays
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
+_SIGNED = frozenset({"<", ">", "<=", ">=", "/", "%", ">>"})
+"""Operators whose result depends on whether their operands have a sign."""
+BOOLEAN = frozenset({"bool", "_Bool"})
+"""The type of truth values, 0 and 1, in C++ and C."""
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -82,7 +86,8 @@ class Values:
         return [Value(int(literal.value), "literal")]
 
     def _cast(self, cast: ccode.Cast) -> list[Value]:
-        return self.of(cast.operand)
+        values, use = self.of(cast.operand), cast.target
+        return _truths(values) if use is not None and use.canonical in BOOLEAN else values
 
     def _unary(self, unary: ccode.Unary) -> list[Value]:
         change = _CHANGES.get(str(unary.operator))
@@ -99,10 +104,12 @@ class Values:
         left, right = self.of(binary.left), self.of(binary.right)
         if len(left) * len(right) > LIMIT:
             return [RUNTIME]
-        found = []
+        operator, found = str(binary.operator), []
         for a in left:
             for b in right:
-                number = None if a.number is None or b.number is None else calculate(str(binary.operator), a.number, b.number)
+                number = None if a.number is None or b.number is None else calculate(operator, a.number, b.number)
+                if number is not None and operator in _SIGNED and min(a.number or 0, b.number or 0) < 0 and _unsigned(binary):
+                    number = None
                 origin = "array" if "array" in (a.origin, b.origin) else "constant"
                 found.append(RUNTIME if number is None else Value(number, origin))
         return found
@@ -113,9 +120,9 @@ class Values:
             return [Value(int(target.value), "constant")]
         if isinstance(target, ccode.Variable):
             counter = self._counter(reference, target)
-            return counter if counter is not None else self._guarded(target, "variable", self._variable)
+            return counter if counter is not None else self._guarded(target, "variable", self._held)
         if isinstance(target, ccode.Parameter):
-            return self._guarded(target, "parameter", self._parameter)
+            return self._guarded(target, "parameter", self._held)
         if (target is None and str(reference.name) in self.macros) or str(reference.name) in self._own_macros:
             return self._macro(str(reference.name))
         return self._constant(str(reference.name))
@@ -140,6 +147,12 @@ class Values:
         if len(assigned) != 1:
             return [RUNTIME]
         return [v if v.origin in ("array", "runtime") else Value(v.number, "constant") for v in self.of(assigned[0])]
+
+    def _held(self, target: ccode.Variable | ccode.Parameter) -> list[Value]:
+        """The values of a variable or parameter, as its type holds them."""
+        given = self._variable(target) if isinstance(target, ccode.Variable) else self._parameter(target)
+        use = target.valueType
+        return _truths(given) if use is not None and use.canonical in BOOLEAN else given
 
     def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         """The values of a variable that is the counter of a for loop around the reference; None if there is no such loop."""
@@ -211,7 +224,7 @@ class Values:
             return self._constants.get(name)
         if isinstance(declaration, ccode.EnumerationLiteral):
             return int(declaration.value)
-        values = self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else []
+        values = self._guarded(declaration, "variable", self._held) if isinstance(declaration, ccode.Variable) else []
         return values[0].number if len(values) == 1 else None
 
     def _index(self, index: ccode.Index) -> list[Value]:
@@ -270,6 +283,36 @@ _METHODS: dict[str, Callable[[Values, Any], list[Value]]] = {
     "Macro": Values._macro_itself,
 }
 _CHANGES: dict[str, Callable[[int], int]] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
+
+
+def _unsigned(expression: ccode.Expression | None) -> bool:
+    """Whether something in an expression may have no sign, so that a negative number beside it is a large one.
+
+    Of an expression of very many parts this is not asked.
+    """
+    pending, seen = [expression], 0
+    while pending:
+        one, seen = pending.pop(), seen + 1
+        if seen > LIMIT:
+            return True
+        if isinstance(one, ccode.Binary):
+            pending += [one.left, one.right]
+        elif isinstance(one, ccode.Unary):
+            pending.append(one.operand)
+        elif isinstance(one, ccode.IntegerLiteral):
+            if "u" in str(one.text).lower():
+                return True
+        elif not isinstance(one, ccode.CharacterLiteral):
+            target = one.target if isinstance(one, (ccode.NameReference, ccode.Cast)) else None
+            use = target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter)) else target
+            if not isinstance(target, ccode.EnumerationLiteral) and not (isinstance(use, ccode.TypeUse) and use.signed):
+                return True
+    return False
+
+
+def _truths(values: list[Value]) -> list[Value]:
+    """What is left of values that become truth values: 0 or 1."""
+    return [value if value.number is None else Value(int(bool(value.number)), value.origin) for value in values]
 
 
 def _distinct(values: list[Value]) -> list[Value]:

@@ -13,12 +13,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from robosmi import inputs, resources
+from robosmi import inputs
 from robosmi.base.data_tables import DataTable
 from robosmi.base.data_text import as_table, json_of, json_written
+from robosmi.base.user_cache import read_cached, write_cached
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import did_you_mean
-from robosmi.files.files import write_atomic
 from robosmi.verify.toolchains import archives
 from robosmi.verify.toolchains.boards import Board, Claim
 from robosmi.verify.toolchains.compile_report import OTHER_FACTS
@@ -101,9 +101,9 @@ def _answers(wanted: Sequence[str], board: Board, check: DataTable, toolchain: T
     """The arrays of the compiled file, or why it does not compile."""
     text = check.text("source").replace("{told}", ", ".join(f"(long)({each})" for each in wanted)).replace("{name}", _TOLD)
     files = [*_headers(installed.core, toolchain, board)]
-    kept = resources.cache_dir() / "boards" / f"{archives.digest(files, text, board, installed)}.json"
-    with suppress(OSError, ValueError, TypeError):
-        record = as_table(json_of(inputs.read_text(kept, inputs.OUTPUT)))
+    kept = f"boards/{archives.digest(files, text, board, installed)}.json"
+    with suppress(ValueError, TypeError):
+        record = as_table(json_of((read_cached(kept) or b"").decode()))
         return {name: bytes.fromhex(str(data)) for name, data in record.items()}
     with temporary_folder("board") as folder:
         source, made = Path(folder) / f"board{check.text('suffix')}", Path(folder) / "board.s"
@@ -116,9 +116,7 @@ def _answers(wanted: Sequence[str], board: Board, check: DataTable, toolchain: T
             error = next((line for line in said.stderr.splitlines() if "error" in line), said.stderr.strip())
             return error.partition("error: ")[2][:_LONGEST] or error[:_LONGEST]
         found = arrays(inputs.read_text(made, inputs.OUTPUT).splitlines())
-    with suppress(OSError):
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        write_atomic(kept, json_written({name: data.hex() for name, data in found.items()}).encode())
+    write_cached(kept, json_written({name: data.hex() for name, data in found.items()}).encode())
     return found
 
 

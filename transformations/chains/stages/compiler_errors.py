@@ -5,21 +5,22 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.model.elements.ordering import post_order
+from robosmi.transformations.chains.stages.pin_check import LOOK_UPS
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import chip_macros
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.expression_type import ARITHMETIC, of_use
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.retained_pins import move_facts, retains_platform
-from robosmi.transformations.queries.source_text import HEADERS, codec_of
+from robosmi.transformations.queries.source_text import HEADERS, codec_of, words_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
@@ -30,6 +31,10 @@ _MOST_MEMBERS = 100_000
 
 No microcontroller has the memory for such a variable.
 """
+_PLAIN_KINDS = frozenset({"function", "variable", "constant"})
+"""Kinds of names that change no syntax where their header is missing."""
+_MACROS = frozenset({"offsetof", "va_arg", "va_start", "va_end", "va_copy"})
+"""Macros of the language's headers that take types."""
 _MOST = 10
 """Limit on the reported lines of a program that changes its platform; of any other one, each line is a task."""
 _TOLD_BEFORE = frozenset({"RS101", "RS312", "RS350"})
@@ -112,7 +117,7 @@ def compiler_errors(
     ]  # fmt: skip
     place = source_place(plan, program, sources)
     known = {(str(f.path), int(f.line)) for f in plan.findings if f.rule in _TOLD_BEFORE}
-    for each in compiler_complaints(program) if target_of(plan).language != "C" else ():
+    for each in compiler_complaints(program, _KnownWords(plan, sources)) if target_of(plan).language != "C" else ():
         at = place(each.file, each.line)
         if at is None or (at.path, at.line) not in known:
             message = f"line {each.line} of {each.file}: {each.message}"
@@ -124,6 +129,39 @@ def compiler_errors(
         found = [*(f for number, f in enumerate(found) if number < _MOST - 1)]
         found.append(Finding(RULE, Severity.warning, more, first.location, fix=first.fix))
     return plan_findings(plan, found, {str(unit.path): str(unit.path) for unit in plan.program.units})
+
+
+class _KnownWords:
+    """Tells of a word of the program whether it is the source's or the plan's own, and no macro or type of a header.
+
+    No word is known where the source itself has an error, which is told there.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
+        self._plan, self._sources = plan, sources
+
+    @cached_property
+    def _own(self) -> set[str]:
+        return {"setup", "loop", *LOOK_UPS, *ARITHMETIC, *(str(connection.name) for connection in self._plan.connections)}
+
+    @cached_property
+    def _written(self) -> set[str]:
+        """The words of the source; none if it has an error."""
+        broken = any(finding.rule == "RS101" for finding in self._plan.findings)
+        return set() if broken else words_of(self._sources.values())
+
+    @cached_property
+    def _api(self) -> ApiIndex | None:
+        return ApiIndex.load(str(self._plan.source.name)) if self._plan.source is not None else None
+
+    def __call__(self, word: str) -> bool:
+        """Whether a word is known."""
+        if not self._written or self._api is None:
+            return False
+        if word in self._own:
+            return True
+        plain = word.rstrip("_") in self._written and word not in _MACROS  # a rule that renames adds an underscore
+        return plain and all(entry.kind in _PLAIN_KINDS for entry in self._api.entries(word))
 
 
 def source_place(

@@ -72,6 +72,7 @@ def pin_findings(
         calls.setdefault(name, []).extend(c for c in made_there if not dropped(_path(c), int(c.startOffset)))
     if any(name in checked.functions and checked.seen[name] < len(known) for name, known in calls.items()):
         checked = follow_pins(program, names) if program.declare_constants() else checked
+    calls_at = _concerned(calls, checked.functions)
     made: list[tuple[Finding, Sequence[ccode.Call]]] = []
     alike = {(_path(c), int(c.line)) for f in plan.portFlows if SAME_NUMBERS in f.evidence for c in f.calls}
     for each in checked.wrong:
@@ -80,9 +81,10 @@ def pin_findings(
             continue
         written = f", written in line {each.at[1]} of {each.at[0]}" if each.at != (each.file, each.line) and each.at[0] else ""
         message = f"line {each.line} of {each.file}: a pin of '{each.function}' is {each.what}{written}"
-        made.append((_finding(message, at), _calls_at(calls.get(each.function, []), at)))
+        made.append((_finding(message, at), calls_at(each.function, at)))
     made += _missing_changes(plan, program, sources)
-    made += _unseen_calls(calls, checked, program)
+    pointed = [c for c in _calls_of_flows(plan) if c.calleeExpression is not None and not c.calleeName]
+    made += _unseen_calls(calls, [c for c in pointed if not dropped(_path(c), int(c.startOffset))], checked)
     made += _ports_of_one_name(plan)
     paths = {str(unit.path): str(unit.path) for unit in (plan.program.units if plan.program is not None else ())}
     findings = plan_findings(plan, [finding for finding, _ in made], paths)
@@ -159,10 +161,32 @@ def _pins_of(use: migration.AdapterUse) -> list[PinPlace]:
     return [PinPlace(names.index(str(pin.name))) for pin in use.adapter.pins if pin.name in names]
 
 
-def _calls_at(calls: Sequence[ccode.Call], place: Location | None) -> list[ccode.Call]:
-    """The calls of a line of the source, or all where none is in it."""
-    here = [c for c in calls if place is not None and c.line == place.line and _path(c) == place.path]
-    return here or list(calls)
+def _concerned(
+    calls: Mapping[str, Sequence[ccode.Call]], functions: Collection[str]
+) -> Callable[[str, Location | None], Sequence[ccode.Call]]:
+    """The function from a function and a place of the source to the calls that are not ready, if a pin there is wrong.
+
+    They are those of the line. Where none is in it, they are all: the first time, which says it of each.
+
+    Args:
+        calls: the calls of each function.
+        functions: those with pins; what looks up pins may be called for each of them.
+    """
+    lines: dict[str, dict[tuple[str, int], list[ccode.Call]]] = {}
+    told: set[str] = set()
+
+    def concerned(function: str, place: Location | None) -> Sequence[ccode.Call]:
+        takers = [function] if function in calls else [name for name in calls if name in functions]
+        if function not in lines:
+            lines[function] = {}
+            for call in (call for name in takers for call in calls[name]):
+                lines[function].setdefault((_path(call), int(call.line)), []).append(call)
+        here = lines[function].get((place.path, place.line or 0), []) if place is not None else []
+        every = [call for found in lines[function].values() for call in found] if not here and function not in told else []
+        told.update([function] if every else [])
+        return here or every
+
+    return concerned
 
 
 def _path(element: ccode.Located) -> str:
@@ -231,14 +255,23 @@ def _place_of(element: ccode.Located | None) -> Location | None:
 
 
 def _unseen_calls(
-    calls: Mapping[str, Sequence[ccode.Call]], checked: PinCheck, program: GeneratedProgram
+    calls: Mapping[str, Sequence[ccode.Call]], pointed: Sequence[ccode.Call], checked: PinCheck
 ) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:
-    """Functions with pins of which the finished text has fewer calls than the source, so that some were not followed."""
+    """Functions with pins of which the finished text has fewer calls than the source, so that some were not followed.
+
+    Args:
+        calls: the calls of each function in the source.
+        pointed: its calls through pointers that may reach such a function.
+        checked: what was found in the finished text.
+    """
     for name, known in calls.items():
         if name in checked.functions and checked.seen[name] < len(known):
             some = f"{len(known) - checked.seen[name]} of {quantity(len(known), 'call')}"
             message = f"{some} of '{name}' could not be followed in the sketch"
             yield _finding(message, _place_of(known[0])), known
+    if checked.pointed < len(pointed):
+        some = f"{len(pointed) - checked.pointed} of {quantity(len(pointed), 'call')}"
+        yield _finding(f"{some} through pointers could not be followed in the sketch", _place_of(pointed[0])), pointed
 
 
 def _ports_of_one_name(plan: migration.MigrationPlan) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:

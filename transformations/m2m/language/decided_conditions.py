@@ -29,6 +29,8 @@ _OF_LANGUAGE = frozenset({
     "or", "or_eq", "xor", "xor_eq",
 })  # fmt: skip
 """Names that a condition of C++ reads differently, and that depend on the sign of plain char."""
+_OF_PLACE = frozenset({"__LINE__", "__COUNTER__", "__INCLUDE_LEVEL__"})
+"""Macros whose value follows from where the text stands."""
 _CHARACTER = re.compile(r"'(?:\\(?>x[0-9a-fA-F]++|[0-7]++|.)|[^'\\])++'")
 
 
@@ -87,7 +89,7 @@ def _words(condition: str, bodies: dict[str, str]) -> list[str]:
 
 def _differs(word: str, view: CodeView, names: TargetNames) -> bool:
     """Whether a name that the program does not define may be a different macro on the target than on the source."""
-    if word in _OF_LANGUAGE or (word in names.macros and word not in names.same) or _OF_WIDTHS.fullmatch(word):
+    if word in _OF_LANGUAGE | _OF_PLACE or (word in names.macros and word not in names.same) or _OF_WIDTHS.fullmatch(word):
         return True
     if word in {str(define).partition("=")[0] for define in view.api.settings["parser"].get("defines", [])}:
         return True

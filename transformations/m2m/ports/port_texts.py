@@ -240,9 +240,13 @@ def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:
 def _moved(
     place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes], kept: RetainedPins | None
 ) -> migration.TextChange:
-    rule, text = replacement(binding, sources[place.unit.path][place.start : place.end], kept)
+    original = sources[place.unit.path][place.start : place.end]
+    rule, text = replacement(binding, original, kept)
+    start = place.start
+    if kept is None and (name := _NAME.match(original.decode("utf-8", errors="replace"))) is not None:
+        start, text = start + len(name[0].encode()), text.removeprefix(name[0])  # another rule may change the name
     return migration.TextChange(
-        unit=place.unit, startOffset=place.start, endOffset=place.end, replacement=text,
+        unit=place.unit, startOffset=start, endOffset=place.end, replacement=text,
         rule=rule, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
     )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""The classes that a program declares, with their constructors: who makes objects of them, and with what, is in the text.
+"""The functions and classes that a program defines, with constructors: who makes objects, and with what, is in the text.
 
 Limits: constructors that differ in types alone are not told apart; conversions that nobody writes are not seen.
 """
@@ -136,6 +136,44 @@ class Classes:
             return around
         match = _OF_CLASS.search(str(function.signature or ""))
         return self._records.get(match[1]) if match is not None else None
+
+
+class OwnFunctions:
+    """The functions of one program.
+
+    Args:
+        views: a view of each of its units.
+        classes: its classes.
+    """
+
+    def __init__(self, views: Sequence[CodeView], classes: Classes) -> None:
+        self._classes = classes
+        self._named: dict[str, ccode.Function] = {}
+        """Name -> the function of that name, of several static ones any, and the one that all files share before them."""
+        self._static: dict[tuple[int, str], ccode.Function] = {}
+        """(`id` of the unit, name) -> its static function."""
+        for function in (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition):
+            if not is_member(function):
+                static, name = function.storage is ccode.Storage.staticStorage, str(function.name)
+                if static:
+                    self._static[(id(function.eContainer()), name)] = function
+                if not static or name not in self._named:
+                    self._named[name] = function
+
+    def defined(self, name: str, unit: ccode.SourceUnit) -> ccode.Function | None:
+        """The function that a name means in a unit, if the program defines it."""
+        return self._static.get((id(unit), name)) or self._named.get(name)
+
+    def called(self, call: ccode.Call) -> list[ccode.Function]:
+        """The functions that a call may run."""
+        callee = call.callee
+        unit = ancestor_of_kind(callee, ccode.SourceUnit) if callee is not None else None
+        if callee is None or unit is None:
+            return []
+        if is_member(callee):
+            return self._classes.called(callee)
+        own = callee if callee.definition else self.defined(str(call.calleeName or ""), unit)
+        return [own] if own is not None else []
 
 
 def member_type(use: ccode.TypeUse | None) -> str:

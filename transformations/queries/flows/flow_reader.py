@@ -15,9 +15,9 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import type_of
+from robosmi.transformations.queries.expression_type import truth_values, type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
-from robosmi.transformations.queries.flows.classes import Classes, member_type, type_name
+from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
@@ -61,9 +61,11 @@ class FlowReader:
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
         self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
         """Constant of the platform that is a pin of the board -> its number."""
-        functions = (d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition)
-        self.functions = {str(function.name): function for function in functions if not is_member(function)}
+        self._truths = truth_values(views, sources)
+        """`id` of each expression whose value becomes 0 or 1."""
         self.classes = Classes(views)
+        self.functions = OwnFunctions(views, self.classes)
+        self.called = self.functions.called
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
@@ -101,16 +103,6 @@ class FlowReader:
         for view in views:
             self._macro_arguments(view)
 
-    def called(self, call: ccode.Call) -> list[ccode.Function]:
-        """The program's functions that a call may run."""
-        callee = call.callee
-        if callee is None or ancestor_of_kind(callee, ccode.SourceUnit) is None:
-            return []
-        if is_member(callee):
-            return self.classes.called(callee)
-        own = self.functions.get(str(call.calleeName or ""))
-        return [own] if own is not None else []
-
     # ---- what things are
 
     def key(self, thing: Element | None) -> Hashable:
@@ -142,6 +134,8 @@ class FlowReader:
         if expression is None:  # in text that the parser could not read
             self._unread += 1
             return self._once(("unread", self._unread), "it is in text that could not be parsed")
+        if id(expression) in self._truths and not isinstance(expression, ccode.IntegerLiteral):
+            return self._once(("truth", id(expression)), f"line {expression.line} makes it 0 or 1")
         if isinstance(expression, ccode.Cast):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -258,8 +252,11 @@ class FlowReader:
             name, within, holder = initialised_constant(literal, self._initialisers)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
-            start, end = int(literal.startOffset), int(literal.endOffset)
-            self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
+            start, end, number = int(literal.startOffset), int(literal.endOffset), int(literal.value)
+            if id(literal) in self._truths:
+                number = int(bool(number))
+                self.flows.freeze(key, f"line {literal.line} makes it 0 or 1")
+            self.put(key, unit, start, end, pin_number(number), holder, name, within)
             if not _WRITTEN.match(self.sources[unit.path], start, end):
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
         return key
@@ -349,7 +346,7 @@ class FlowReader:
         """Join the flow of a thing with that of an expression which it is given."""
         self.flows.join(taker, self.value(expression))
         unit = ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None
-        if unit is not None and expression is not None:
+        if unit is not None and expression is not None and id(expression) not in self._truths:
             self.flows.of(taker).given.append((unit, expression))
 
     def _taken(self, reference: ccode.NameReference) -> None:

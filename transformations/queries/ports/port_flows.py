@@ -504,7 +504,7 @@ class _MacroBody:
         reader = self.reader
         takers: dict[int, Hashable] = {}
         other = reader.macros.get(name)
-        function = reader.functions.get(name)
+        function = reader.functions.defined(name, self.view.unit)
         if other is not None and other.functionLike:
             takers = {i: ("macro parameter", name, i) for i in range(max(len(arguments), MOST_FOR_DOTS))}
         elif function is not None:

@@ -80,13 +80,13 @@ def what_is_defined(units: Iterable[ccode.SourceUnit]) -> dict[str, ccode.Declar
 def leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iterator[Element]:
     """The functions and variables that an element names; of those that several files declare, the definition."""
     if isinstance(element, ccode.Call):
-        callee = defined.get(str(element.calleeName)) or (element.callee if _has_body(element.callee) else None)
+        callee = element.callee if _has_body(element.callee) else defined.get(str(element.calleeName))
         if callee is not None:
             yield callee
     elif isinstance(element, ccode.NameReference):
         target = element.target
         if isinstance(target, ccode.Function):
-            yield defined.get(str(target.name), target)
+            yield target if _has_body(target) else defined.get(str(target.name), target)
         elif isinstance(target, ccode.Variable) and is_global(target):
             yield target if target.storage.name == "staticStorage" else defined.get(str(target.name), target)
 

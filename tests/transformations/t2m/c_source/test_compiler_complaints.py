@@ -75,6 +75,22 @@ def test_a_function_that_the_program_defines_below_its_use_is_told() -> None:
     ]
 
 
+def test_errors_of_syntax_are_told_where_each_word_is_known() -> None:
+    sketch = b"""typedef int op;
+void high(int pin);
+const char *text = "%" PRIu32;
+int near;
+int main_of(void) { return 0; }
+void setup() { ((op))high)(3); }
+void loop() {}
+int last(op) { return op; }
+"""
+    program = GeneratedProgram({"robot.ino": sketch}, "Arduino.h")
+    known = {"op", "high", "setup", "loop", "last", "text", "main_of"}
+    assert [each.line for each in compiler_complaints(program, known.__contains__)] == [6, 8]
+    assert compiler_complaints(program) == []
+
+
 @pytest.mark.parametrize(("int_bits", "char_signed", "told"), [(16, True, [1, 2]), (32, False, []), (32, True, [2])])
 def test_types_have_the_widths_of_the_target(int_bits: int, char_signed: bool, told: list[int]) -> None:
     sketch = b"int four[sizeof(int)] = {1, 2, 3, 4};\nint two[(char)-1 < 0 ? 1 : 2] = {1, 2};\n"

@@ -1,16 +1,17 @@
 """Finds what a C++ compiler will refuse in a finished program, by parsing it with libclang before anybody compiles it.
 
-The target's own headers may be missing (`generated_program`). So only errors count that these headers cannot cause, and of
-undeclared names only functions that the program itself defines. The checks made while reading
-(`m2m.language.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
+The target's own headers may be missing (`generated_program`). So only errors count that these headers cannot cause, of
+undeclared names only functions that the program itself defines, and errors of syntax only in lines of which each word is known.
+The checks made while reading (`m2m.language.cpp_incompatibilities`) are more exact; this one finds what nobody foresaw.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Set
 from typing import NamedTuple
 
+from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
 from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 
@@ -42,6 +43,8 @@ _SURE = re.compile(
 )
 """Matches errors that are about the program itself, not about a missing header."""
 _UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
+_EXPECTED = re.compile(r"expected |unexpected |.*: expected ")
+"""Matches errors of syntax, which a macro or a type of a missing header causes, too."""
 _ERROR = re.compile(rb"[ \t]*#[ \t]*error\b")
 _DEFINED = re.compile(rb"\b(\w+)[ \t]*\([^;{}()]*\)\s*\{")
 """Functions that a text defines, and statements with a condition, whose names no identifier has."""
@@ -61,13 +64,16 @@ class CompilerComplaint(NamedTuple):
     message: str
 
 
-def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
+def compiler_complaints(
+    program: GeneratedProgram, is_known: Callable[[str], bool] = lambda word: False
+) -> list[CompilerComplaint]:
     """The lines of a program's files that a compiler refuses, each once, in the order of the files.
 
     None are reported of a program that nests too deep for libclang; reading it has reported that.
 
     Args:
         program: the program, in C++.
+        is_known: whether a word that is no keyword is the program's own, and no macro or type of a header.
     """
     own = (
         set[str]()
@@ -77,15 +83,18 @@ def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
     )
     told: dict[tuple[str, int], CompilerComplaint] = {}
     for _, unit in program.units:
-        for each in _complaints(unit, program.texts, own, program.complete):
+        for each in _complaints(unit, program.texts, own, program.complete, is_known):
             if each.file != program.adapters:
                 told.setdefault((each.file, each.line), each)
     return list(told.values())
 
 
-def _complaints(unit: int, texts: Mapping[str, bytes], own: Set[str], board: bool) -> Iterator[CompilerComplaint]:
+def _complaints(
+    unit: int, texts: Mapping[str, bytes], own: Set[str], board: bool, is_known: Callable[[str], bool]
+) -> Iterator[CompilerComplaint]:
     """The errors of a unit; `board` says whether the board's macros are there, so that `#error` is the program's answer to it."""
     library = clang.library()
+    plain: dict[tuple[str, int], bool] = {}
     for number in range(library.getNumDiagnostics(unit)):
         handle = library.getDiagnostic(unit, number)
         if library.getDiagnosticSeverity(handle) >= clang.ERROR:
@@ -95,7 +104,21 @@ def _complaints(unit: int, texts: Mapping[str, bytes], own: Set[str], board: boo
             name = clang.file_name(file)
             if name.startswith(SKETCH):
                 by_program = board and _ERROR.match(texts[name], texts[name].rfind(b"\n", 0, offset) + 1) is not None
-                if _SURE.match(message) or (unknown is not None and unknown[1] in own) or by_program:
+                sure = bool(_SURE.match(message)) or (unknown is not None and unknown[1] in own) or by_program
+                if not sure and not board and _EXPECTED.match(message):
+                    at = (name, texts[name].rfind(b"\n", 0, offset) + 1)
+                    if at not in plain:  # a line may have many errors
+                        plain[at] = _is_plain(texts[name], at[1], is_known)
+                    sure = plain[at]
+                if sure:
                     line = texts[name].count(b"\n", 0, offset) + 1
                     yield CompilerComplaint(name.removeprefix(f"{SKETCH}/"), line, f"#error {message}" if by_program else message)
         library.disposeDiagnostic(handle)
+
+
+def _is_plain(text: bytes, start: int, is_known: Callable[[str], bool]) -> bool:
+    """Whether each word of the line that starts at an offset, and of the one before that has any, is a keyword or known."""
+    end = text.find(b"\n", start)
+    before = text.rfind(b"\n", 0, len(text[:start].rstrip()) if start else 0) + 1
+    words = {word for kind, _, _, word in tokens(text[before : end if end >= 0 else len(text)]) if kind == "name"}
+    return all(word in KEYWORDS or is_known(word) for word in words)

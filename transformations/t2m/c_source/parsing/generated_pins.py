@@ -8,6 +8,7 @@ of the plan has put into the text, or the result of a look-up. All places that w
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -36,6 +37,12 @@ from robosmi.transformations.t2m.c_source.parsing.generated_names import (
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 from robosmi.transformations.t2m.c_source.parsing.generated_tree import GeneratedNode, own_nodes
 from robosmi.transformations.t2m.c_source.parsing.generated_values import GeneratedValues
+
+_COUNTED = frozenset((b"__LINE__", b"__COUNTER__"))
+"""Macros whose value follows from where the text stands, so that it differs from the source's."""
+_NAME = re.compile(rb"[A-Za-z_]\w*")
+_MACRO = re.compile(rb"^[ \t]*#[ \t]*define[ \t]+(\w+)((?:[^\n\\]|\\\n?)*)", re.MULTILINE)
+OF_PLACE = "a number that the preprocessor counts (__LINE__, __COUNTER__) and that may differ from the source's"
 
 
 class PinPlace(NamedTuple):
@@ -97,11 +104,13 @@ class PinCheck(NamedTuple):
         wrong: the values that are no pins, each once for a call.
         functions: the functions with pins.
         seen: function with a pin -> how many calls of it were seen.
+        pointed: how many calls through pointers were seen.
     """
 
     wrong: list[WrongPin]
     functions: frozenset[str]
     seen: Counter[str]
+    pointed: int
 
 
 class _Sink(NamedTuple):
@@ -130,6 +139,7 @@ class _Flows(GeneratedValues):
         super().__init__(program, names.functions.keys())
         self.names = names
         self._known: dict[Key, frozenset[Origin]] = {}
+        self._counted = _counted_names(list(program.files.values()))
 
     def check(self) -> PinCheck:
         """Follow each value that reaches a pin."""
@@ -141,6 +151,9 @@ class _Flows(GeneratedValues):
             if sink.place.none and self.text(sink.argument) in sink.place.none:
                 continue
             for leaf in sorted(self._leaves(sink.argument), key=lambda each: (each.place, each.what)):
+                if leaf.what == OF_PLACE:
+                    self._report(found, sink, OF_PLACE, leaf.place[:2])
+                    continue
                 if leaf.text and sink.place.looked_up and self.names.named:
                     continue
                 if leaf.text:
@@ -154,7 +167,8 @@ class _Flows(GeneratedValues):
             if len(places) > self.names.literals.get(text, 0):
                 for sink in at_raw[text]:
                     self._report(found, sink, f"the number {text}, which no port of the plan has put there", ("", 0))
-        return PinCheck(list(found.values()), frozenset(self.names.functions), Counter(name for _, name, _ in self.calls))
+        seen = Counter(name for _, name, _ in self.calls)
+        return PinCheck(list(found.values()), frozenset(self.names.functions), seen, len(self.indirect))
 
     def _sinks(self) -> Iterator[_Sink]:
         """The arguments that are pins; in calls through pointers those that may be."""
@@ -168,6 +182,22 @@ class _Flows(GeneratedValues):
         file, line = clang.line_of(self.library.getCursorLocation(sink.call.cursor))
         name = clang.file_name(file).removeprefix(f"{SKETCH}/")
         found.setdefault((name, line, sink.function), WrongPin(name, line, sink.function, what, at))
+
+    def origin(self, what: str, node: GeneratedNode, text: str = "") -> Origin:
+        """The origin of a value; of a number that the preprocessor counts, or that is calculated with one, `OF_PLACE`."""
+        if self._counted and node.kind != kinds.CALL_EXPR and self._is_counted(node):  # of a look-up, the argument is followed
+            return super().origin(OF_PLACE, node)
+        return super().origin(what, node, text)
+
+    def _is_counted(self, node: GeneratedNode) -> bool:
+        """Whether a number in an expression comes out of a macro that counts."""
+        for each in node.below():
+            if each.kind == kinds.INTEGER_LITERAL:
+                file, offset = clang.file_offset(self.library.getCursorLocation(each.cursor))
+                name = _NAME.match(self.program.texts.get(clang.file_name(file), b""), offset)
+                if name is not None and name[0] in self._counted:
+                    return True
+        return False
 
     def _leaves(self, argument: GeneratedNode) -> Iterable[Origin]:
         """The origins of an argument's value; those of a thing are found once."""
@@ -240,7 +270,7 @@ class _Flows(GeneratedValues):
 
     def _number(self, node: GeneratedNode) -> list[GeneratedNode | Key | Origin]:
         value = self._evaluated(node)
-        if value == self.names.unbound:
+        if value == self.names.unbound and not (self._counted and self._is_counted(node)):
             return []
         if str(value) in self.names.literals:
             return [self.origin("", node, str(value))]
@@ -317,3 +347,20 @@ class _Flows(GeneratedValues):
         if operator in (ADDRESS, DEREFERENCE, PLUS) and inner:
             return [inner[0]]
         return [self.origin("a calculation", node)]
+
+
+def _counted_names(texts: Sequence[bytes]) -> frozenset[bytes]:
+    """The macros that count, and the program's own whose text names one of them; none where the program uses none."""
+    used = any(name in text for text in texts for name in _COUNTED)
+    if not used:
+        return frozenset()
+    users: dict[bytes, list[bytes]] = {}
+    for found in (each for text in texts for each in _MACRO.finditer(text)):
+        for word in set(_NAME.findall(found[2])):
+            users.setdefault(word, []).append(found[1])
+    counted, waiting = set(_COUNTED), [*_COUNTED]
+    while waiting:
+        new = {name for name in users.get(waiting.pop(), ()) if name not in counted}
+        counted |= new
+        waiting += new
+    return frozenset(counted)

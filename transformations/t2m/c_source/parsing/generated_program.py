@@ -24,7 +24,8 @@ typedef __UINT64_TYPE__ uint64_t; typedef __INTPTR_TYPE__ intptr_t; typedef __UI
 typedef __SIZE_TYPE__ size_t; typedef __PTRDIFF_TYPE__ ptrdiff_t; typedef %s boolean; typedef uint8_t byte;
 typedef unsigned int word; typedef __builtin_va_list va_list; typedef struct __file FILE;
 """
-_OF_CPP, _OF_C = b"#define NULL __null\n", b"#define NULL ((void *)0)\n#define bool _Bool\n#define true 1\n#define false 0\n"
+_OF_CPP = b"#define NULL __null\n#define _Bool bool\n"
+_OF_C = b"#define NULL ((void *)0)\n#define bool _Bool\n#define true 1\n#define false 0\n"
 _STUB = "/none/types"
 """A folder that exists on no machine: the program and the replaced headers are passed to libclang as texts."""
 SKETCH = "/none/sketch"

@@ -50,7 +50,12 @@ int32_t f(void);
 #if 1 /* if !defined(__cplusplus) && !defined(min) */
 int32_t plain = 5;
 #endif
-int32_t f(void) { return wide + own + prop + plain + WHERE + lang; }
+#if 1 /* if __LINE__ == 50 */
+int32_t line = 5;
+#else
+int32_t line = 6;
+#endif
+int32_t f(void) { return wide + own + prop + plain + line + WHERE + lang; }
 void setup() {
 
 }

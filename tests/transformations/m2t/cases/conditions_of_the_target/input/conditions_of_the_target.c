@@ -47,5 +47,10 @@ int f(void);
   !defined(min)
 int plain = 5;
 #endif
-int f(void) { return wide + own + prop + plain + WHERE + lang; }
+#if __LINE__ == 50
+int line = 5;
+#else
+int line = 6;
+#endif
+int f(void) { return wide + own + prop + plain + line + WHERE + lang; }
 int main() { while (1) { high(LED); pause(MS); print("%d\n", f()); } }
