@@ -98,7 +98,7 @@ void loop() {}
         "ee_getInt",
         "pause",
     )
-    texts = ("simpletext.h/print", "simpletext.h/simpleterm_reopen")
+    texts = ("simpletools.h/high", "simpletools.h/low", "simpletext.h/print", "simpletext.h/simpleterm_reopen")
     trace = run([*(f"simpletools.h/{name}" for name in names), "servo.h/servo_angle", *texts], program, 600, tmp_path)
     assert trace.text.split() == ["123456", "123456789" * 2]
     sent = [width for _, width in trace.pulses("GP8")]

@@ -217,7 +217,7 @@ def IsBorneByThePin(c: hardware.Component) -> bool | Fail:
 
 
 def _borne(w: Wiring, c: hardware.Component, p: BoardPin) -> float:
-    """The voltage that a pin of a board bears, or 0 if it is not known. A 5 V tolerant pin is none while it measures a voltage."""
+    """The voltage that a pin of a board bears, 0 if it is not known; a 5 V tolerant pin is none while it measures a voltage."""
     model = w.board_model(p.board)
     chip = model.microcontroller if model is not None else None
     of_chip = float(chip.pinVolts) if chip is not None else 0.0

@@ -213,7 +213,7 @@ def _line(pin: platform.Pin) -> tuple[str, str]:
 
 
 def _sharer(b: migration.PortBinding, shared: Callable[[platform.Pin], tuple[str, str]], needed: platform.PinCapability) -> str:
-    """An earlier port that needs the same ability on another pin with what is shared, as messages call it; empty if there is none."""
+    """An earlier port that needs an ability on another pin with what is shared, as messages call it; empty if there is none."""
     pin = bound_pin(b)
     for other in _before(b) if pin is not None and all(shared(pin)) else ():
         there = bound_pin(other)
