@@ -85,19 +85,7 @@ void setup() { Serial.begin(115200); while (!Serial) {}
   high(8); print("%d", 123456789); low(8); simpleterm_reopen(254, 254, 0, 9600); high(8); print("%d", 123456789); low(8); }
 void loop() {}
 """
-    names = (
-        "high",
-        "low",
-        "pulse_out",
-        "freqout",
-        "square_wave",
-        "pwm_start",
-        "pwm_set",
-        "pwm_stop",
-        "ee_putInt",
-        "ee_getInt",
-        "pause",
-    )
+    names = ("pulse_out", "freqout", "square_wave", "pwm_start", "pwm_set", "pwm_stop", "ee_putInt", "ee_getInt", "pause")
     texts = ("simpletools.h/high", "simpletools.h/low", "simpletext.h/print", "simpletext.h/simpleterm_reopen")
     trace = run([*(f"simpletools.h/{name}" for name in names), "servo.h/servo_angle", *texts], program, 600, tmp_path)
     assert trace.text.split() == ["123456", "123456789" * 2]
