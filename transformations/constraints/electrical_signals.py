@@ -237,7 +237,8 @@ def _reaches(w: Wiring, c: hardware.Component, connector: hardware.Connector) ->
     if connector.kind in (Kind.supply, Kind.ground):
         return False
     facts = w.facts(c)
-    if facts.output == "contact" or w.means(connector, "output") or _gives(connector.name):
+    named = c.role is not Role.Output and w.means(connector, "output")  # `signal` of a servo is what the board drives
+    if facts.output == "contact" or named or _gives(connector.name):
         return True
     if c.role is Role.Input and of_table(c) and not connector.name.strip():
         return True  # a table need not name the one wire of a sensor

@@ -32,7 +32,7 @@ def test_a_part_at_5_v_needs_a_divider_before_a_pin_for_less(drawing: str, part:
 @pytest.mark.parametrize(
     ("table", "pin"),
     [
-        ("ranger", "GP3"), ("ranger_with_divider", ""), ("unnamed_wire", "GP26"), ("sensor_for_3_v", ""),
+        ("ranger", "GP3"), ("ranger_with_divider", ""), ("unnamed_wire", "GP26"), ("sensor_for_3_v", ""), ("driven_parts", ""),
         ("tolerant_pin", ""), ("tolerant_pin_as_digital", ""), ("tolerant_pin_that_measures", "A0"),
     ],
 )  # fmt: skip

@@ -513,7 +513,7 @@ inline void write_float(TextOut out, float value, int32_t width, int32_t precisi
 //#   kind: semantic
 //#   needs: text_t TextOut
 //#   fidelity: exact: base 2 to 16; the number of characters
-//#   stack: 79 60
+//#   stack: 77 60
 inline int32_t printNumber(text_t *device, uint32_t u, int32_t base, int32_t width, int32_t fill_char) {
   TextOut out(device);
   out.number(u, (uint8_t)base, width, (char)fill_char);
@@ -770,7 +770,7 @@ inline void putFloat(float value) {
 //#   kind: oneToMany
 //#   needs: text_t TextOut write_float
 //#   fidelity: exact up to a width of 20
-//#   stack: 175 144
+//#   stack: 161 144
 inline void writeFloatPrecision(text_t *device, float value, int32_t width, int32_t precision) {
   write_float(TextOut(device), value, width, precision);
 }
@@ -780,7 +780,7 @@ inline void writeFloatPrecision(text_t *device, float value, int32_t width, int3
 //#   kind: oneToOne
 //#   needs: dport_ptr writeFloatPrecision
 //#   fidelity: exact up to a width of 20
-//#   stack: 175 143
+//#   stack: 161 143
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline void putFloatPrecision(float value, int32_t width, int32_t precision) {
