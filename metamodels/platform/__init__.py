@@ -978,6 +978,8 @@ class Pin(Element, metaclass=MetaEClass):
     """What it is reserved for, empty for nothing."""
     bearsVolts: float = EAttribute(eType=EDouble)
     """Maximum voltage of this pin in volts, if it differs from the microcontroller's; else 0."""
+    interruptLine: str = EAttribute(eType=EString, default_value="")
+    """Line of the interrupt that this pin shares with others: one of them at a time has its interrupt. Empty if it shares none."""
 
     if TYPE_CHECKING:
 
@@ -993,6 +995,7 @@ class Pin(Element, metaclass=MetaEClass):
             channel: str | None = None,
             reserved: str | None = None,
             bearsVolts: float | None = None,
+            interruptLine: str | None = None,
         ) -> None: ...
 
 

@@ -75,18 +75,22 @@ def test_limits_of_an_avr_board_are_not_those_of_a_pico() -> None:
 
 
 def test_timed_outputs_behave_at_the_pins_of_a_simulated_pico(tmp_path: Path) -> None:
-    """What the layer makes by other means than on an AVR: exact pulses, tones, slow waves, two channels, servos, memory."""
+    """What the layer makes by other means than on an AVR: exact pulses, tones, slow waves, two channels, servos, memory, USB."""
     require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
     require_engine("rp2040js")
     program = """
 void setup() { Serial.begin(115200); while (!Serial) {}
   pulse_out(3, 150); freqout(4, 50, 1000); square_wave(5, 0, 10); pwm_start(5000); pwm_set(6, 0, 1500); pwm_set(7, 1, 700);
-  servo_angle(16, 900); ee_putInt(123456, 32000); Serial.println(ee_getInt(32000)); pause(300); pwm_stop(); }
+  servo_angle(16, 900); ee_putInt(123456, 32000); Serial.println(ee_getInt(32000)); pause(300); pwm_stop();
+  high(8); print("%d", 123456789); low(8); simpleterm_reopen(254, 254, 0, 9600); high(8); print("%d", 123456789); low(8); }
 void loop() {}
 """
     names = ("pulse_out", "freqout", "square_wave", "pwm_start", "pwm_set", "pwm_stop", "ee_putInt", "ee_getInt", "pause")
-    trace = run([*(f"simpletools.h/{name}" for name in names), "servo.h/servo_angle"], program, 600, tmp_path)
-    assert trace.text.strip() == "123456"
+    texts = ("simpletools.h/high", "simpletools.h/low", "simpletext.h/print", "simpletext.h/simpleterm_reopen")
+    trace = run([*(f"simpletools.h/{name}" for name in names), "servo.h/servo_angle", *texts], program, 600, tmp_path)
+    assert trace.text.split() == ["123456", "123456789" * 2]
+    sent = [width for _, width in trace.pulses("GP8")]
+    assert sent == pytest.approx([9 * 87, 9 * 1042], abs=100)  # as long as a serial line takes for it
     assert [width for _, width in trace.pulses("GP3")] == pytest.approx([150], abs=1)
     begun = [at for at, _ in trace.pulses("GP4")]
     assert (len(begun) - 1) / (begun[-1] - begun[0]) * 1e6 == pytest.approx(1000, rel=0.01)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification import api_build
 from robosmi.transformations.verification.engines.api import Api
@@ -135,3 +136,7 @@ def test_a_microcontroller_of_its_own_is_judged_with_the_names_of_its_pins(
     (toolchain,) = (each for each in load_toolchains() if each.platform == "arduino")
     defines = api_build._properties(find_board("bluepill", load_boards("arduino")), toolchain)["api.defines"]
     assert {"API_NAME(PC13,17)", "API_NAME(A1,21)"} <= {*re.findall(r"API_NAME\(\w+,\d+\)", defines)}
+    for echo, too_high in (("PB4", False), ("PB5", True)):  # PB4 is 5 V tolerant by its data, PB5 is not
+        table = tmp_path / f"{echo}.csv"
+        table.write_text(f"pin,part,title,connector,board\nPB3,HC-SR04,eye,Trig,bluepill\n{echo},HC-SR04,eye,Echo,\n")
+        assert ("RS258" in {finding.rule for finding in hardware(table).findings}) == too_high

@@ -94,6 +94,12 @@ def test_an_unknown_target_offers_the_nearest(project: Path) -> None:
         target_facts("nanno")
 
 
+def test_options_of_a_menu_belong_to_compile(project: Path) -> None:
+    with pytest.raises(UsageError, match="'freq=133' are options of a menu") as caught:
+        target_facts("rp2040:rp2040:rpipico:freq=133")
+    assert "compile OUT --board rp2040:rp2040:rpipico:freq=133" in (caught.value.fix or "")
+
+
 def test_a_pin_table_without_a_board_means_the_targets(project: Path) -> None:
     robosmi.migrate(["beacon.c"], "out", target="arduino:avr:mega")
     plan = load_models(project / "out" / "models" / "plan.xmi").plan

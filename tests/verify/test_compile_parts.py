@@ -112,6 +112,15 @@ def test_all_kinds_of_errors_of_the_compiler_are_errors(kind: str, tmp_path: Pat
         assert [(f.severity.name, f.message, f.location.line if f.location else 0) for f in found] == [("error", "not this", 3)]
 
 
+def test_a_header_of_the_core_is_not_looked_for_in_a_library(tmp_path: Path) -> None:
+    (tmp_path / "x.ino").write_text("")
+    patterns = next(toolchain.messages for toolchain in load_toolchains() if toolchain.platform == "arduino")
+    for header, fix in (("Arduino.h", "install the board's core again"), ("Other.h", "install the library that has Other.h")):
+        said = f"x.ino:1:10: fatal error: {header}: No such file or directory\n"
+        (finding,) = messages.compiler_findings(said, patterns, tmp_path)[0]
+        assert (finding.fix or "").startswith(fix)
+
+
 def test_a_tool_that_says_nothing_is_still_a_finding() -> None:
     assert messages.unread("linking", "").message == "linking failed: no message from the tool"
 

@@ -127,6 +127,7 @@ def test_a_board_that_a_project_file_names_is_refused_with_its_line(home: Path, 
         ("{build.f_cpu}", "{build.clock}", PlatformDataError, "build.clock"),
         ("recipe.size.pattern", "recipe.length.pattern", PlatformDataError, "recipe.size.pattern"),
         ("compiler.cpp.cmd=g++", "compiler.cpp.cmd=toy-g++", MissingToolError, "toy-g++"),
+        ("compiler.cpp.cmd=g++", "compiler.cpp.name=g++", PlatformDataError, "{compiler.cpp.cmd}"),
         ("version=1.2.3", "version", SourceError, "key=value"),
     ],
 )

@@ -206,9 +206,7 @@ def IsBorneByThePin(c: hardware.Component) -> bool | Fail:
     fed = w.fed_with(c)
     given = fed or _least_volts(w, c)
     for p in w.board_pins(c, through=False):
-        model = w.board_model(p.board)
-        chip = model.microcontroller if model is not None else None
-        bears = (p.pin.bearsVolts if p.pin is not None else 0.0) or (chip.pinVolts if chip is not None else 0.0)
+        bears = _borne(w, c, p)
         if 0 < bears < given and _reaches(w, c, p.connector):
             name, most = displayed_name(p.connector) or "the output", f"{p.label}, which bears {bears:g} V"
             message = f"{name} of '{who(c)}' gives up to {given:g} V to {most}"
@@ -216,6 +214,16 @@ def IsBorneByThePin(c: hardware.Component) -> bool | Fail:
                 message = f"'{who(c)}' needs a supply of {given:g} V or more, and {name} gives it to {most}"
             return fault(c, message, volts=given, most=bears, pin=p.label)
     return True
+
+
+def _borne(w: Wiring, c: hardware.Component, p: BoardPin) -> float:
+    """The voltage that a pin of a board bears, 0 if it is not known; a 5 V tolerant pin is none while it measures a voltage."""
+    model = w.board_model(p.board)
+    chip = model.microcontroller if model is not None else None
+    of_chip = float(chip.pinVolts) if chip is not None else 0.0
+    if p.pin is None or ("analog_in" in p.pin.abilities and _is_measured(w, c, p.connector)):
+        return of_chip
+    return float(p.pin.bearsVolts) or of_chip
 
 
 def _least_volts(w: Wiring, c: hardware.Component) -> float:
@@ -229,14 +237,21 @@ def _reaches(w: Wiring, c: hardware.Component, connector: hardware.Connector) ->
     if connector.kind in (Kind.supply, Kind.ground):
         return False
     facts = w.facts(c)
-    if facts.output == "contact" or w.means(connector, "output") or _gives(connector.name):
+    named = c.role is not Role.Output and w.means(connector, "output")  # `signal` of a servo is what the board drives
+    if facts.output == "contact" or named or _gives(connector.name):
         return True
     if c.role is Role.Input and of_table(c) and not connector.name.strip():
         return True  # a table need not name the one wire of a sensor
-    if "*" in facts.analog or connector.name.strip().lower() in facts.analog or w.means(connector, "analog"):
+    if _is_measured(w, c, connector):
         return True
     on_bus = w.means(connector, "sda") or w.means(connector, "scl")
     return bool(facts.pull_ups and on_bus)
+
+
+def _is_measured(w: Wiring, c: hardware.Component, connector: hardware.Connector) -> bool:
+    """Whether a device gives a voltage to be measured at a connector; a connector without a name may be the one that does."""
+    name, given = connector.name.strip().lower(), w.facts(c).analog
+    return "*" in given or name in given or bool(given and not name) or w.means(connector, "analog")
 
 
 _OUTPUTS = frozenset(["do", "sdo", "so", "miso", "out", "echo", "rdy"])

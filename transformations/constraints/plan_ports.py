@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import takewhile
 
 from robosmi.base.quantities import quantity
@@ -16,12 +16,14 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.transformations.knowledge.adapters.adapter_ranges import parameter_names
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.circuits.component_kinds import kinds_of
 from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.motors import SERVO, channel_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
 from robosmi.transformations.queries.plans.port_pins import CONSOLE, bound_pin, source_name
+from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.validate import EVL, Fail
@@ -179,19 +181,68 @@ def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> bool | Fail:
     advice="bind the port to another pin, and move the wire",
 )  # fmt: skip
 def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
-    """A pin has the abilities that the functions of its port need, and no other adapter uses its timer."""
+    """A pin has the abilities that the functions of its port need; no other adapter uses its timer, no other port its output."""
     pin = bound_pin(b)
     assert pin is not None
-    for name, capability in requested_functions(b):
+    for name, capability in (*requested_functions(b), *_retained_functions(b)):
         if capability is platform.PinCapability.pwm and "pwm" not in pin.abilities:
             return Fail(f"{pin.label} of the {named(b)} has no PWM, so {name} only switches it on or off", pin=pin.label)
         if capability is platform.PinCapability.analog and "analog_in" not in pin.abilities:
             return Fail(f"{name} measures a voltage, but {pin.label} of the {named(b)} cannot", pin=pin.label)
+        if capability is platform.PinCapability.interrupt and "interrupt" not in pin.abilities and retains_platform(plan_of(b)):
+            return Fail(f"{pin.label} of the {named(b)} has no interrupt, so {name} cannot watch it", pin=pin.label)
         takers = [use.name for use in plan_of(b).adapterUses if use.name != name and pin.timer in _timers(use)]
         if capability is platform.PinCapability.pwm and pin.timer and takers:
             message = f"{name} needs the PWM of {pin.label} for the {named(b)}, but {takers[0]} uses its timer {pin.timer}"
             return Fail(message, pin=pin.label)
+        if capability is platform.PinCapability.pwm and (other := _sharer(b, _output, capability)):
+            message = f"{pin.label} of the {named(b)} has the same output of {pin.timer} as {other}: {name} changes both"
+            return Fail(message, pin=pin.label)
+        if capability is platform.PinCapability.interrupt and (other := _sharer(b, _line, capability)):
+            message = f"{pin.label} of the {named(b)} has the same line of interrupts as {other}: one of them has no interrupt"
+            return Fail(message, pin=pin.label)
     return True
+
+
+def _output(pin: platform.Pin) -> tuple[str, str]:
+    return pin.timer, pin.channel
+
+
+def _line(pin: platform.Pin) -> tuple[str, str]:
+    return "interrupt", pin.interruptLine
+
+
+def _sharer(b: migration.PortBinding, shared: Callable[[platform.Pin], tuple[str, str]], needed: platform.PinCapability) -> str:
+    """An earlier port that needs an ability on another pin with what is shared, as messages call it; empty if there is none."""
+    pin = bound_pin(b)
+    for other in _before(b) if pin is not None and all(shared(pin)) else ():
+        there = bound_pin(other)
+        if there is None or pin is None or there is pin or shared(there) != shared(pin):
+            continue
+        if any(each is needed for _, each in (*requested_functions(other), *_retained_functions(other))):
+            return f"the {named(other)} on {there.label}"
+    return ""
+
+
+_NEEDED = {
+    "pwm": platform.PinCapability.pwm, "analog_in": platform.PinCapability.analog, "interrupt": platform.PinCapability.interrupt
+}  # fmt: skip
+
+
+def _retained_functions(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
+    """The functions of a platform that stays, each with the ability that it needs and that the pin of the source board has."""
+    plan = plan_of(b)
+    if not retains_platform(plan) or plan.source is None:
+        return
+    old = next((each.board for each in plan.source.boardMappings if each.board is not None), None)
+    label = source_name(b)
+    there = next((pin for pin in old.pins if pin.label == label), None) if old is not None else None
+    needs = ApiIndex.load(str(plan.source.name)).settings.get("ports", {}).get("abilities", {})
+    for flow in plan.portFlows if there is not None else ():
+        for call in flow.calls if b in flow.bindings else ():
+            ability = needs.get(str(call.calleeName), "")
+            if there is not None and ability in there.abilities:
+                yield str(call.calleeName), _NEEDED[ability]
 
 
 def requested_functions(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:

@@ -30,7 +30,7 @@ _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
-_PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts")
+_PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts", "interrupt_line")
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
 _BOARD_KEYS = (
@@ -89,10 +89,11 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
     chip = load_microcontroller(table.text("mcu"), project, table)
     timers = [str(timer.name) for timer in chip.timers]
-    pins = [_pin(entry, timers) for entry in table.tables("pins")]
-    if (chip_file := _chip_file(str(chip.name), project)) is not None:
-        check_ports(pins, text_of(path), table, table_of(chip_file))
+    chip_file = _chip_file(str(chip.name), project)
     shared = chip_file is not None and table_of(chip_file).flag("shared_channels", False)
+    pins = [_pin(entry, timers, shared) for entry in table.tables("pins")]
+    if chip_file is not None:
+        check_ports(pins, text_of(path), table, table_of(chip_file))
     check_names(pins, table, shared)
     if "buses" in table.values:  # the core may have them at other pins than those of the microcontroller's file
         chip.buses.clear()
@@ -142,8 +143,8 @@ def check_keys(table: DataTable, known: Sequence[str]) -> None:
             raise table.error(key, f"is not a key of it{did_you_mean(key, known)}")
 
 
-def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
-    """A pin, whose abilities and timer exist.
+def _pin(entry: DataTable, timers: Sequence[str], shared_channels: bool) -> platform.Pin:
+    """A pin, whose abilities and timer exist; without a channel, its core gives it an output of the timer when it is used.
 
     Raises:
         PlatformDataError: one of them does not.
@@ -154,7 +155,8 @@ def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
             raise entry.error("abilities", f"has '{ability}', which is none of: {', '.join(ABILITIES)}")
     if (timer := entry.text("timer", "")) and timer not in timers:
         raise entry.error("timer", f"is '{timer}', which is not a timer of the microcontroller: {', '.join(timers)}")
-    if (channel := entry.text("channel", "")) not in (CHANNELS if timer else ("",)):
+    none = ("",) if shared_channels or not timer else ()
+    if (channel := entry.text("channel", "")) not in ((*CHANNELS, *none) if timer else none):
         known = f"which is none of: {', '.join(CHANNELS)}" if timer else "but the pin has no timer"
         raise entry.error("channel", f"is '{channel}', {known}")
     return platform.Pin(
@@ -166,6 +168,7 @@ def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
         channel=channel,
         reserved=entry.text("reserved", ""),
         bearsVolts=entry.decimal("bears_volts") if "bears_volts" in entry.values else 0.0,
+        interruptLine=entry.text("interrupt_line", ""),
     )
 
 

@@ -75,7 +75,8 @@ def compiler_findings(text: str, patterns: DataTable, folder: Path) -> tuple[lis
 def _finding(message: str, severity: Severity, place: Location, patterns: DataTable) -> Finding:
     missing = patterns.pattern("missing_header").match(message)
     if missing:
-        fix = patterns.text("missing_header_fix").replace("{header}", missing["header"])
+        of_core = missing["header"] in patterns.texts("core_headers", ())
+        fix = patterns.text("core_header_fix" if of_core else "missing_header_fix").replace("{header}", missing["header"])
         return Finding(MISSING_HEADER, severity, message, place, fix=fix, evidence={"header": missing["header"]})
     option = patterns.pattern("option").search(message)
     rule = COMPILER_WARNING if severity is Severity.warning else COMPILER_ERROR

@@ -30,8 +30,12 @@ def test_a_part_at_5_v_needs_a_divider_before_a_pin_for_less(drawing: str, part:
 
 
 @pytest.mark.parametrize(
-    ("table", "pin"), [("ranger", "GP3"), ("ranger_with_divider", ""), ("unnamed_wire", "GP26"), ("sensor_for_3_v", "")]
-)
+    ("table", "pin"),
+    [
+        ("ranger", "GP3"), ("ranger_with_divider", ""), ("unnamed_wire", "GP26"), ("sensor_for_3_v", ""), ("driven_parts", ""),
+        ("tolerant_pin", ""), ("tolerant_pin_as_digital", ""), ("tolerant_pin_that_measures", "A0"),
+    ],
+)  # fmt: skip
 def test_a_table_without_voltages_has_what_is_known_of_its_parts(table: str, pin: str) -> None:
     found = [f for f in hardware(FOLDER / "pin_voltage" / f"{table}.csv").findings if f.rule == "RS258"]
     assert [finding.evidence["pin"] for finding in found] == ([pin] if pin else [])

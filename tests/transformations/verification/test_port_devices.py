@@ -47,6 +47,15 @@ def test_the_ports_of_the_monitoring_robot() -> None:
     assert all(kind in device_facts() for kind in ("levels", "dht22", "capacitor", "ranger", "voltages"))
 
 
+def test_the_ports_of_a_console_that_is_usb_have_no_pin(tmp_path: Path) -> None:
+    program = tmp_path / "talk.c"
+    program.write_text('#include "simpletext.h"\nint main() { simpleterm_reopen(31, 30, 0, 9600); print("hello"); }\n')
+    for target, pins, console in (("pico", ("", ""), True), ("uno", ("D0", "D1"), False)):
+        found = {port.source: port for port in bound_ports(robosmi.plan_migration([program], target=target).plan)}
+        assert (found["P31"].target, found["P30"].target) == pins
+        assert [found[port].console for port in ("P31", "P30")] == [console] * 2
+
+
 def test_pins_that_no_channel_shows_are_brief() -> None:
     matrix = [
         BoundPort(name, f"P{n}", f"D{n + 2}", device="keypad", pin=name, group="P0") for n, name in enumerate(("row0", "column0"))

@@ -93,7 +93,8 @@ class CoreRecipes:
     def _command(self, key: str, more: Mapping[str, str] = {}) -> Command:
         """A recipe's command, with its program found on this machine; empty if the recipe is."""
         program, *words = split(self._text(key, more)) or [""]
-        for name in (name for word in words for name in unknown_names(word)):
+        own = unknown_names(program)[-1:] if program.endswith("}") else []  # other programs can be found by their name alone
+        for name in (*own, *(name for word in words for name in unknown_names(word))):
             if name.startswith("runtime.tools."):
                 raise self._missing(name.removeprefix("runtime.tools.").removesuffix(".path"))
             raise PlatformDataError(

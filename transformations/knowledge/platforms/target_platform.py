@@ -250,7 +250,16 @@ def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
         if board is not None:
             return _whole({"platform": name, "board": board}, path, "target.", project), board
     known = target_names(project)
+    name, options = ":".join(target.split(":")[:3]), ":".join(target.split(":")[3:])
+    if options and _is_full_name(name, project):
+        what = f"'{options}' are options of a menu, which migrate does not take"
+        raise UsageError(what, fix=f"use --target {name}, then run: robosmi compile OUT --board {target}")
     raise UsageError(f"unknown target '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
+
+
+def _is_full_name(name: str, project: Path | None) -> bool:
+    platforms = (each for each, _ in _platforms_by_board(project))
+    return any(_is_called(name, each, board, project) for each in platforms for board in mapped_boards(each, project))
 
 
 def _is_called(full_name: str, platform_name: str, board: str, project: Path | None) -> bool:

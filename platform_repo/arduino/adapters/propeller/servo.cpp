@@ -301,7 +301,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   needs: servo_slot ServoSlot hal/Io hal/Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
-//#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
+//#   limit avr: 12 servos at a time instead of 14, but 14 on a Mega; no PWM on pins 9 and 10 of an Uno, or 44 to 46 of a Mega
 //#   limit rp2040: 8 servos at a time instead of 14
 //#   limit other: 8 servos at a time instead of 14
 //#   limit avr: widths from 40 to 2,900 us

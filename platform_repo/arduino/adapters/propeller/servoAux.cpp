@@ -8,7 +8,7 @@
 //#   needs: servo.h/servo_set
 //#   pin: pin digital out servo
 //#   fidelity: as servo_set: widths within 1 us; the pin at the first call, 1 later, -3 without a free place, as there
-//#   limit avr: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
+//#   limit avr: 12 servos at a time instead of 14, but 14 on a Mega; no PWM on pins 9 and 10 of an Uno, or 44 to 46 of a Mega
 //#   limit rp2040: 8 servos at a time instead of 14
 //#   limit other: 8 servos at a time instead of 14
 //#   stack: 38 22

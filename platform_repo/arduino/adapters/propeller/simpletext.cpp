@@ -220,14 +220,14 @@ inline void simpleterm_close() {
 //# adapter simpleterm_open
 //#   for: terminal *simpleterm_open(void)
 //#   kind: semantic
-//#   needs: text_t terminal console dport_ptr
+//#   needs: text_t terminal console dport_ptr hal/begin_console
 //#   fidelity: exact: 115200 baud, and a second of waiting when it was closed
 //#   stack: 12 6
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline terminal *simpleterm_open() {
   if (dport_ptr) return dport_ptr;
-  Serial.begin(115200);
+  begin_console(115200);
   console = {&Serial, 0, '\r', '\n', '\n', 0, true};
   dport_ptr = &console;
   delay(1000);
@@ -237,19 +237,18 @@ inline terminal *simpleterm_open() {
 //# adapter simpleterm_reopen
 //#   for: terminal *simpleterm_reopen(int rxpin, int txpin, int mode, int baud)
 //#   kind: semantic
-//#   needs: text_t terminal console dport_ptr ECHO_RX_TO_TX hal/console
+//#   needs: text_t terminal console dport_ptr ECHO_RX_TO_TX hal/console hal/begin_console
 //#   pin: rxpin digital in
 //#   pin: txpin digital out
 //#   fidelity: exact at the console's pins, or where it is USB; at any others the terminal is not wired
 //#   limit: the terminal cannot move to other pins
-//#   limit: where the console is USB, text takes no time: at a low rate the program is faster than there
 //#   stack: 8
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline terminal *simpleterm_reopen(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baud) {
   bool wired = is_console(rxpin, txpin);
   Serial.flush();
-  if (wired) Serial.begin((unsigned long)baud);
+  if (wired) begin_console(baud);
   console.port = wired ? &Serial : 0;
   console.terminalEcho = console.terminalEcho || mode & ECHO_RX_TO_TX;
   dport_ptr = &console;
@@ -272,7 +271,7 @@ inline void simpleterm_set(text_t *ptr) {
 // ---------------------------------------------------------------- single bytes and characters
 
 //# helper sendChar
-//#   needs: text_t
+//#   needs: text_t hal/wait_for_console
 //#   fidelity: one that ends a line is sent as the device's line end; it does not wait
 inline void sendByte(text_t *device, char c) {
   if (device && device->port) device->port->write((uint8_t)c);
@@ -285,13 +284,13 @@ inline void sendChar(text_t *device, char c) {
   if (device->ecsB) sendByte(device, device->ecsB);
 }
 
-inline void waitSent(text_t *device) {  // the program goes on when the terminal has its text, as there
-  if (device && device->port && device->waits) device->port->flush();
+inline void waitSent(text_t *device, int32_t bytes = 1) {  // the program goes on when the terminal has its text, as there
+  if (device && device->port && device->waits) wait_for_console(*device->port, bytes);
 }
 
 //# helper sendChar
 //#   members: rxChar txChar cogid devst
-//#   needs: text_t
+//#   needs: text_t hal/wait_for_console
 //#   fidelity: through the device's own function where it has one; one that ends a line is sent as the device's line end; it does not wait
 inline void sendByte(text_t *device, char c) {
   if (!device) return;
@@ -306,8 +305,8 @@ inline void sendChar(text_t *device, char c) {
   if (device->ecsB) sendByte(device, device->ecsB);
 }
 
-inline void waitSent(text_t *device) {  // the program goes on when the terminal has its text, as there
-  if (device && device->port && device->waits) device->port->flush();
+inline void waitSent(text_t *device, int32_t bytes = 1) {  // the program goes on when the terminal has its text, as there
+  if (device && device->port && device->waits) wait_for_console(*device->port, bytes);
 }
 
 //# adapter writeByte
@@ -430,7 +429,7 @@ struct TextOut {
 
   explicit TextOut(text_t *to) : device(to), memory(0), count(0), room(0), ended(false) {}
   explicit TextOut(char *to, int32_t size = 32767) : device(0), memory(to), count(0), room(size), ended(false) {}
-  ~TextOut() { waitSent(device); }
+  ~TextOut() { waitSent(device, count); }
   void put(char c) {
     if (memory && count < room) memory[count] = c;
     else if (memory) ended = true;
@@ -514,7 +513,7 @@ inline void write_float(TextOut out, float value, int32_t width, int32_t precisi
 //#   kind: semantic
 //#   needs: text_t TextOut
 //#   fidelity: exact: base 2 to 16; the number of characters
-//#   stack: 79 60
+//#   stack: 77 60
 inline int32_t printNumber(text_t *device, uint32_t u, int32_t base, int32_t width, int32_t fill_char) {
   TextOut out(device);
   out.number(u, (uint8_t)base, width, (char)fill_char);
@@ -771,7 +770,7 @@ inline void putFloat(float value) {
 //#   kind: oneToMany
 //#   needs: text_t TextOut write_float
 //#   fidelity: exact up to a width of 20
-//#   stack: 175 144
+//#   stack: 161 144
 inline void writeFloatPrecision(text_t *device, float value, int32_t width, int32_t precision) {
   write_float(TextOut(device), value, width, precision);
 }
@@ -781,7 +780,7 @@ inline void writeFloatPrecision(text_t *device, float value, int32_t width, int3
 //#   kind: oneToOne
 //#   needs: dport_ptr writeFloatPrecision
 //#   fidelity: exact up to a width of 20
-//#   stack: 175 143
+//#   stack: 161 143
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline void putFloatPrecision(float value, int32_t width, int32_t precision) {

@@ -541,11 +541,9 @@ inline bool is_console(int32_t rxpin, int32_t txpin) {  // 254 stands for it
   return (rxpin == 254 || txpin == 254) && !Io(rxpin).wired() && !Io(txpin).wired();
 }
 
-inline bool console_is_sent() {  // there is as much room as there ever was
-  static int most = 0;
-  int room = Serial.availableForWrite();
-  if (room > most) most = room;
-  return room == most;
+inline bool console_is_sent() {  // after the wait for it: how much room there is tells nothing
+  Serial.flush();
+  return true;
 }
 
 //# helper console
@@ -555,6 +553,33 @@ inline bool is_console(int32_t rxpin, int32_t txpin) { return rxpin == RX && txp
 inline bool console_is_sent() {
   Serial.flush();
   return true;
+}
+
+//# helper wait_for_console
+inline void wait_for_console(Stream &port, int32_t) { port.flush(); }
+
+//# helper begin_console
+inline void begin_console(uint32_t baud) { Serial.begin(baud); }
+
+//# helper wait_for_console
+//#   architecture: renesas_uno teensy mbed_nano
+//#   ram: 4
+//#   fidelity: USB takes text at once: the program waits as long as a line of the console's rate would send it
+static uint32_t console_byte_us = 87;  // of 10 bits
+
+inline void wait_for_console(Stream &port, int32_t bytes) {
+  uint32_t begun = micros(), us = bytes * console_byte_us;
+  port.flush();
+  delay(us / 1000);
+  while (micros() - begun < us) yield();
+}
+
+//# helper begin_console
+//#   architecture: renesas_uno teensy mbed_nano
+//#   needs: wait_for_console
+inline void begin_console(uint32_t baud) {
+  Serial.begin(baud);
+  if (baud) console_byte_us = 10000000UL / baud;
 }
 
 //# helper SerialLine
