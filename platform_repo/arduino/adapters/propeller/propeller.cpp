@@ -131,25 +131,25 @@ const struct {
 const auto &_INA = INA;
 
 //# helper PortRegister
-//#   needs: hal/Io port read_ports
+//#   needs: hal/Io hal/own_pins port read_ports
 //#   fidelity: only the bits that change are written, so that pins that other functions drive stay as they are
 struct PortRegister {
   bool directions;
 
-  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? &Io::driven : &Io::latch, mask); }
+  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? &Io::owned : &Io::latch, mask); }
   operator uint32_t() const { return bits(); }
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
   const PortRegister &change(uint32_t mask, uint32_t value, bool flips = false) const {
-    bool each = mask != ~0UL;  // else the value may hold what was read, which other cogs drive
+    bool all = mask == ~0UL;
     for (uint8_t first = 0; mask; first += 8, mask >>= 8, value >>= 8) {
       uint8_t number = first, levels = value;
       for (uint8_t rest = mask; rest; rest >>= 1, levels >>= 1, number++) {
         if (!(rest & 1)) continue;
         Io io(port(number));
-        bool before = directions ? io.driven() : io.latch(), level = flips ? !before : levels & 1;
-        if (directions && level && each && io.wired()) io.own(true);  // it may rest as an output since setup
+        bool before = directions ? io.owned() : io.latch(), level = flips ? !before : levels & 1;
         if (level == before) continue;
+        if (!directions && all && before && io.driven() && !io.owned()) continue;  // it rests since setup, or another cog drives it
         if (directions) io.drive(level);
         else io.set(level);
       }
@@ -192,8 +192,8 @@ const PortRegister OUTA = {false};
 
 //# register DIRA
 //#   needs: PortRegister
-//#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other:
-//#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
+//#   fidelity: the directions of the cog that runs, as there; where the target has no cogs, of the whole program. Bits change
+//#   fidelity: one after the other: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
 //#   stack: 34 18
 const PortRegister DIRA = {true};

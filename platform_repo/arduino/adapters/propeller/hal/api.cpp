@@ -59,6 +59,7 @@ struct Io {
     if (outputs[pin]) digitalWrite(pin, value ? HIGH : LOW);
   }
   void own(bool) const {}
+  bool owned() const { return driven(); }
   void drive_for_library() const { drive(true); }
   void drive(bool output) const {
     if (!known) return;
@@ -78,6 +79,9 @@ struct Io {
     drive(true);
   }
 };
+
+//# helper own_pins
+struct OwnPins {};  // Io keeps them
 
 //# helper KnownIo
 //#   needs: Io

@@ -42,13 +42,17 @@ const uint8_t last_port = 5;
 const uint8_t last_port = 4;
 #endif
 static uint8_t latches[last_port - first_port + 1];
-static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
+static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 where nothing needs to know
 
 inline void cog_drives(uint8_t pin, bool output) {  // the cog that runs drives the pin, or no longer does
   if (!cog_pins_now) return;
   uint8_t bit = 1 << (pin & 7);
   if (output) cog_pins_now[pin >> 3] |= bit;
   else cog_pins_now[pin >> 3] &= ~bit;
+}
+
+inline bool cog_drove(uint8_t pin) {
+  return cog_pins_now[pin >> 3] >> (pin & 7) & 1;
 }
 
 struct Io {  // one pin, ready for access to its registers
@@ -82,6 +86,7 @@ struct Io {  // one pin, ready for access to its registers
     if (driven()) put(out, value);
   }
   void own(bool output) const { cog_drives(pin, output); }
+  bool owned() const { return wired() && cog_drove(pin); }
   void drive_for_library() const {  // whose own cog goes on when the caller ends
     drive(true);
     if (wired()) own(false);
@@ -104,6 +109,19 @@ struct Io {  // one pin, ready for access to its registers
     drive(true);
   }
 };
+
+//# helper own_pins
+//#   needs: Io
+//#   fidelity: which pins the program drives; one that only rests at a level since setup is none
+//#   ram: 3
+static uint8_t own_pins[(NUM_DIGITAL_PINS + 7) / 8];
+
+struct OwnPins {
+  OwnPins() {
+    if (!cog_pins_now) cog_pins_now = own_pins;
+  }
+};
+static OwnPins own_pins_begun;
 
 //# helper pin_places
 //#   fidelity: port and bit of each pin on the boards of the core. Its own tables are in the program memory, where no compiler reads them
@@ -153,6 +171,7 @@ struct KnownIo {
   __attribute__((always_inline)) bool wired() const { return mask != 0; }
   __attribute__((always_inline)) bool high() const { return mask && (*in & mask); }
   __attribute__((always_inline)) bool driven() const { return mask && (in[1] & mask); }
+  __attribute__((always_inline)) bool owned() const { return mask && cog_drove(pin); }
   __attribute__((always_inline)) bool latch() const { return mask && (*kept & mask); }
   __attribute__((always_inline)) void put(volatile uint8_t *to, bool value) const {
     uint8_t old = SREG;
