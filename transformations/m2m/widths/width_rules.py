@@ -33,7 +33,7 @@ class Walk(Struct):
         seen: place in a macro's body or argument -> the kinds of values found there: one use may pass an int, another a float.
         handing: functions of the program that pass a format on to the standard library.
         changed: places that are assigned or whose address is taken, so that no cast can be written there.
-        lambdas: how many lambdas are around the place of the walk: their results take the types of what they return.
+        lambdas: how many lambdas and functions are around the place of the walk whose results take the types of what they return.
     """
 
     here: Machine
