@@ -236,6 +236,17 @@ def retype_decisions(dependence: Dependence, bits: int, names: Mapping[str, str]
             symbol.placeholder = retyped(symbol.placeholder, bits, names)
 
 
+def cast_pins(widenings: Iterable[migration.Widening], bindings: Iterable[migration.PortBinding]) -> None:
+    """Cast the names of pins that take the place of numbers whose type counts, as in `put(lamp, 1L)` for `put(8, 1L)`."""
+    written = {(c.unit, c.startOffset, c.endOffset): c for w in widenings for c in w.changes if c.rule == WIDEN}
+    for moved in (change for binding in bindings for change in binding.changes) if written else ():
+        change = written.get((moved.unit, moved.startOffset, moved.endOffset))
+        if change is not None and change.startOffset < change.endOffset:
+            letters = change.replacement.lstrip("0123456789xXabcdefABCDEF")
+            change.endOffset = change.startOffset
+            change.replacement = f"({_spelt(Number(64 if 'LL' in letters else 32, 'U' not in letters))})"
+
+
 def _renamed(text: str, renamed: Mapping[str, str]) -> str:
     return re.sub(r"[A-Za-z_]\w*", lambda word: renamed.get(word[0], word[0]), text) if renamed else text
 
