@@ -11,6 +11,8 @@ template <class T> struct Box {
 enum class Speed { slow, fast };
 auto total() { return 300; }                             // becomes: return 300L;
 auto same(int a) -> decltype(a) { return 300; }          // becomes: { return 300; }
+struct Step { int n; int operator++(int) { return n++; } };  // becomes: { int32_t n; int32_t operator++(int) {
+Speed operator--(Speed &s, int) { return s; }            // stays
 struct Arm { auto reach() const { return 200; } };       // becomes: return 200L;
 
 int n = 3;
@@ -32,5 +34,5 @@ int main() {
   auto sign = [](int a) { if (a < 0) return -1; return a; };  // becomes: return -1L;
   auto scaled = [k = 300](int a) { return k * a; };      // becomes: [k = 300L](int32_t a) { return k * a; }
   auto on = [](int a) -> bool { return 1; };             // becomes: { return 1; }
-  return t + k + u + narrow + letter + (speed == Speed::fast) + sign(t) + on(t) + scaled(t) + total() + same(t) + Arm().reach();
+  return t + k + u + narrow + letter + (speed == Speed::fast) + sign(t) + on(t) + scaled(t) + total() + same(t) + Arm().reach() + Step{1}++;
 }

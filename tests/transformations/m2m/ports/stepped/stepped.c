@@ -35,10 +35,10 @@ int main(void)
   }
   while (1) {
     next();
+    all_at_once();
     toggle(cell); // => toggle(port(cell));
     if (++cell > 21) cell = 20;
     if (input(30) && last > 25) last--;
     high(last);
-    all_at_once();
   }
 }
