@@ -22,7 +22,13 @@ _DOWN = {">": 1, ">=": 0, "<": 0, "<=": 1, "!=": 1, "==": 0}
 
 
 class ReachedValues(Values):
-    """Computes all values that expressions of one program may have."""
+    """Computes all values that expressions of one program may have.
+
+    Attributes:
+        stepped: the variables and parameters, by `id`, that were found to be stepped.
+    """
+
+    stepped: frozenset[int] = frozenset()
 
     def passed(self, argument: Element | None) -> list[Value]:
         """The values of an argument, of a step that stands there (`high(++pin)`) those that its name has then."""
@@ -30,22 +36,26 @@ class ReachedValues(Values):
             argument = argument.left
         elif _is_increment(argument):
             argument = argument.operand
-        return self._used(argument) if isinstance(argument, ccode.NameReference) else self.of(argument)
+        found = self.of(argument)
+        return self._beyond(argument, found) if isinstance(argument, ccode.NameReference) else found
 
     def _name(self, reference: ccode.NameReference) -> list[Value]:
+        found = super()._name(reference)
+        if id(reference.target) not in self.stepped:
+            return found
         container = reference.eContainer()
         is_stepped = _is_increment(container) or (isinstance(container, ccode.Assignment) and container.left is reference)
-        return super()._name(reference) if is_stepped else self._used(reference)
+        return found if is_stepped else self._beyond(reference, found)
 
-    def _used(self, reference: ccode.NameReference) -> list[Value]:
+    def _beyond(self, reference: ccode.NameReference, found: list[Value]) -> list[Value]:
         """The values of a name where it is used: perhaps one step beyond what it is compared with."""
-        found, target = super()._name(reference), reference.target
-        if not isinstance(target, (ccode.Variable, ccode.Parameter)) or RUNTIME in found or not (steps := self._steps(target)):
+        target = reference.target
+        if not isinstance(target, (ccode.Variable, ccode.Parameter)) or id(target) not in self.stepped or RUNTIME in found:
             return found
         if isinstance(target, ccode.Variable) and self._counter(reference, target) is not None:
             return found
         paths = Paths(target, reference)
-        for step, size in steps:
+        for step, size in self._steps(target):
             if size and paths.uncompared(step):
                 known = [value.number for value in found if value.number is not None]
                 found = list(dict.fromkeys([*found, *self._stepped(target, known, [size], 1)]))
@@ -73,37 +83,44 @@ class ReachedValues(Values):
             target: the variable or parameter.
             given: its initial value, or the arguments that callers pass.
         """
+        steps: list[int | None] = []
         for reference in target.references:
             container = reference.eContainer()
             if isinstance(container, ccode.Assignment) and container.left is reference:
-                given = [*given, container.right] if str(container.operator) == "=" else given
+                operator = str(container.operator)
+                if operator == "=":
+                    given = [*given, container.right]
+                else:
+                    steps.append(self._step_of(container.right, operator))
+            elif isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--"):
+                steps.append(1 if str(container.operator) == "++" else -1)
             elif isinstance(container, ccode.Unary) and str(container.operator) == "&":
                 return [RUNTIME]
-        found = [value for each in given if _own_step(each, target) is None for value in self.of(each)]
-        steps = [size for _, size in self._steps(target)]
+        own = [_own_step(expression, target) for expression in given]
+        steps += [self._step_of(step[1], f"{step[0]}=") for step in own if step is not None]
+        found = [value for expression, step in zip(given, own, strict=True) if step is None for value in self.of(expression)]
         if not steps:
             return found or [RUNTIME]
+        self.stepped |= {id(target)}
         numbers = [value.number for value in found]
         known = [number for number in numbers if number is not None]
         return self._stepped(target, known, steps) if known and len(known) == len(numbers) else [RUNTIME]
 
-    def _steps(self, target: ccode.Declaration) -> list[tuple[ccode.Expression, int | None]]:
+    def _steps(self, target: ccode.Declaration) -> Iterator[tuple[ccode.Expression, int | None]]:
         """What steps a name, and by how much: `pin++`, `pin += 2`, `pin = pin + 2`, and `pin + 2` for a parameter of the call."""
-        found: list[tuple[ccode.Expression, int | None]] = []
         for reference in target.references:
             container = reference.eContainer()
             if isinstance(container, ccode.Assignment) and container.left is reference:
                 own = _own_step(container.right, target)
                 if own is not None:
-                    found.append((container, self._step_of(own[1], f"{own[0]}=")))
+                    yield container, self._step_of(own[1], f"{own[0]}=")
                 elif str(container.operator) != "=":
-                    found.append((container, self._step_of(container.right, str(container.operator))))
+                    yield container, self._step_of(container.right, str(container.operator))
             elif _is_increment(container):
-                found.append((container, 1 if str(container.operator) == "++" else -1))
+                yield container, 1 if str(container.operator) == "++" else -1
         for argument in passed_arguments(target) if isinstance(target, ccode.Parameter) else ():
             if (own := _own_step(argument, target)) is not None:
-                found.append((argument, self._step_of(own[1], f"{own[0]}=")))
-        return found
+                yield argument, self._step_of(own[1], f"{own[0]}=")
 
     def _step_of(self, expression: ccode.Expression | None, operator: str) -> int | None:
         """The step of a compound assignment, negative for `-=`; None where the text does not give it."""

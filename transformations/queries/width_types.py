@@ -38,8 +38,8 @@ def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE)
         if kind == "name" and text.endswith("_t") and text in names
     ]
     fixed = {match.start(1) for match in _AFTER.finditer(data)} if b"operator" in data else ()
-    runs = (word for run in _runs(iter(found)) for word in _written(run, bits))
-    return sorted([*types, *(word for word in runs if word.start not in fixed)])
+    runs = _runs(iter(found))
+    return sorted([*types, *(word for run in runs for word in _written(run, bits) if word.start not in fixed)])
 
 
 def retyped(text: str, bits: int = 32, names: Mapping[str, str] = _NONE) -> str:

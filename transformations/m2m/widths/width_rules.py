@@ -34,6 +34,7 @@ class Walk(Struct):
         handing: functions of the program that pass a format on to the standard library.
         changed: places that are assigned or whose address is taken, so that no cast can be written there.
         lambdas: how many lambdas and functions are around the place of the walk whose results take the types of what they return.
+        resigned: whether plain char is signed on the target and unsigned on the source.
     """
 
     here: Machine
@@ -44,16 +45,15 @@ class Walk(Struct):
     changed: set[TextPlace] = set()
     handing: set[str] = set()
     lambdas: int = 0
+    resigned: bool = False
+
+    def __post_init__(self) -> None:
+        self.resigned = self.there.char_signed and not self.here.char_signed
 
     def run(self, top: list[TypedExpression]) -> None:
         """Walk over the declarations of a unit."""
         for node in top:
             self.value(node)
-
-    @property
-    def resigned(self) -> bool:
-        """Whether plain char is signed on the target and unsigned on the source."""
-        return self.there.char_signed and not self.here.char_signed
 
     def value(self, node: TypedExpression) -> Number | None:
         """The type of an expression on the target after its conversion to what its context expects; None if it is no number."""
