@@ -102,12 +102,12 @@ inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
 //# helper read_ports
 //#   needs: hal/Io port
 //#   fidelity: a property of those ports whose bit is set in a mask
-inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
+inline uint32_t read_ports(bool (*property)(const Io &), uint32_t mask) {
   uint32_t bits = 0;
   for (uint8_t first = 0; mask; first += 8, mask >>= 8) {
     uint8_t found = 0, bit = 1, number = first;
     for (uint8_t rest = mask; rest; rest >>= 1, bit <<= 1, number++)
-      if (rest & 1 && (Io(port(number)).*property)()) found |= bit;
+      if (rest & 1 && property(Io(port(number)))) found |= bit;
     bits |= (uint32_t)found << first;
   }
   return bits;
@@ -119,9 +119,10 @@ inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
 //#   fidelity: those of the mask, one in some 25 us
 //#   stack: 30 16
 const struct {
-  operator uint32_t() const { return read_ports(&Io::high, ~0UL); }
+  static bool is_high(const Io &io) { return io.high(); }
+  operator uint32_t() const { return read_ports(is_high, ~0UL); }
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
-  template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(&Io::high, (uint32_t)mask); }
+  template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(is_high, (uint32_t)mask); }
 } INA = {};
 
 //# register _INA
@@ -136,7 +137,9 @@ const auto &_INA = INA;
 struct PortRegister {
   bool directions;
 
-  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? &Io::owned : &Io::latch, mask); }
+  static bool is_output(const Io &io) { return owned(io); }
+  static bool is_set(const Io &io) { return io.latch(); }
+  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? is_output : is_set, mask); }
   operator uint32_t() const { return bits(); }
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
@@ -147,9 +150,9 @@ struct PortRegister {
       for (uint8_t rest = mask; rest; rest >>= 1, levels >>= 1, number++) {
         if (!(rest & 1)) continue;
         Io io(port(number));
-        bool before = directions ? io.owned() : io.latch(), level = flips ? !before : levels & 1;
+        bool before = directions ? owned(io) : io.latch(), level = flips ? !before : levels & 1;
         if (level == before) continue;
-        if (!directions && all && before && io.driven() && !io.owned()) continue;  // it rests since setup, or another cog drives it
+        if (!directions && all && before && io.driven() && !owned(io)) continue;  // it rests since setup, or another cog drives it
         if (directions) io.drive(level);
         else io.set(level);
       }

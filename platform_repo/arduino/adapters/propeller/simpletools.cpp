@@ -95,12 +95,12 @@ __attribute__((always_inline)) inline uint32_t get_output(int32_t pin) {
 //#   fidelity: exact; where the target has no cogs, for a program on one cog
 //#   stack: 14 0
 inline uint32_t get_direction_at(int32_t pin) {
-  return Io(pin).owned();
+  return owned(Io(pin));
 }
 
 __attribute__((always_inline)) inline uint32_t get_direction(int32_t pin) {
   if (!pin_is_known(pin)) return get_direction_at(pin);
-  return KnownIo(pin).owned();
+  return owned(KnownIo(pin));
 }
 
 //# adapter set_output
@@ -166,15 +166,15 @@ __attribute__((always_inline)) inline uint32_t toggle(int32_t pin) {
 //#   stack: 16 2
 inline uint32_t reverse_at(int32_t pin) {
   Io io(pin);
-  io.drive(!io.owned());
-  return io.owned();
+  io.drive(!owned(io));
+  return owned(io);
 }
 
 __attribute__((always_inline)) inline uint32_t reverse(int32_t pin) {
   if (!pin_is_known(pin)) return reverse_at(pin);
   KnownIo io(pin);
-  io.drive(!io.owned());
-  return io.owned();
+  io.drive(!owned(io));
+  return owned(io);
 }
 
 // ---------------------------------------------------------------- several pins
@@ -226,7 +226,7 @@ inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
 inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
-  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | Io(port(number)).owned();
+  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | owned(Io(port(number)));
   return pattern;
 }
 

@@ -59,7 +59,6 @@ struct Io {
     if (outputs[pin]) digitalWrite(pin, value ? HIGH : LOW);
   }
   void own(bool) const {}
-  bool owned() const { return driven(); }
   void drive_for_library() const { drive(true); }
   void drive(bool output) const {
     if (!known) return;
@@ -81,7 +80,8 @@ struct Io {
 };
 
 //# helper own_pins
-struct OwnPins {};  // Io keeps them
+//#   needs: Io
+inline bool owned(const Io &io) { return io.driven(); }  // Io keeps them
 
 //# helper KnownIo
 //#   needs: Io

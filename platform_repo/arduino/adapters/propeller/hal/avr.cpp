@@ -51,10 +51,6 @@ inline void cog_drives(uint8_t pin, bool output) {  // the cog that runs drives 
   else cog_pins_now[pin >> 3] &= ~bit;
 }
 
-inline bool cog_drove(uint8_t pin) {
-  return cog_pins_now[pin >> 3] >> (pin & 7) & 1;
-}
-
 struct Io {  // one pin, ready for access to its registers
   uint8_t pin, mask, *kept;
   volatile uint8_t *in, *direction, *out;
@@ -86,7 +82,6 @@ struct Io {  // one pin, ready for access to its registers
     if (driven()) put(out, value);
   }
   void own(bool output) const { cog_drives(pin, output); }
-  bool owned() const { return wired() && cog_drove(pin); }
   void drive_for_library() const {  // whose own cog goes on when the caller ends
     drive(true);
     if (wired()) own(false);
@@ -122,6 +117,11 @@ struct OwnPins {
   }
 };
 static OwnPins own_pins_begun;
+
+template <class Pin>
+__attribute__((always_inline)) inline bool owned(const Pin &io) {
+  return io.wired() && cog_pins_now[io.pin >> 3] >> (io.pin & 7) & 1;
+}
 
 //# helper pin_places
 //#   fidelity: port and bit of each pin on the boards of the core. Its own tables are in the program memory, where no compiler reads them
@@ -171,7 +171,6 @@ struct KnownIo {
   __attribute__((always_inline)) bool wired() const { return mask != 0; }
   __attribute__((always_inline)) bool high() const { return mask && (*in & mask); }
   __attribute__((always_inline)) bool driven() const { return mask && (in[1] & mask); }
-  __attribute__((always_inline)) bool owned() const { return mask && cog_drove(pin); }
   __attribute__((always_inline)) bool latch() const { return mask && (*kept & mask); }
   __attribute__((always_inline)) void put(volatile uint8_t *to, bool value) const {
     uint8_t old = SREG;

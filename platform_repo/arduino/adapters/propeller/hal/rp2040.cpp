@@ -55,7 +55,6 @@ struct Io {
     if (output) cog_pins_now[pin >> 3] |= bit;
     else cog_pins_now[pin >> 3] &= ~bit;
   }
-  bool owned() const { return wired() && cog_pins_now[pin >> 3] >> (pin & 7) & 1; }
   void drive_for_library() const {  // whose own cog goes on when the caller ends
     drive(true);
     own(false);
@@ -86,6 +85,11 @@ struct OwnPins {
   }
 };
 static OwnPins own_pins_begun;
+
+template <class Pin>
+__attribute__((always_inline)) inline bool owned(const Pin &io) {
+  return io.wired() && cog_pins_now[io.pin >> 3] >> (io.pin & 7) & 1;
+}
 
 //# helper KnownIo
 //#   needs: Io
