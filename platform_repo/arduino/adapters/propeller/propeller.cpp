@@ -117,7 +117,7 @@ inline uint32_t read_ports(bool (*property)(const Io &), uint32_t mask) {
 //#   needs: hal/Io read_ports
 //#   fidelity: levels at the pins; they are read one after the other, all in some 250 us; of `INA & mask` only
 //#   fidelity: those of the mask, one in some 25 us
-//#   stack: 30 16
+//#   stack: 14 0
 const struct {
   static bool is_high(const Io &io) { return io.high(); }
   operator uint32_t() const { return read_ports(is_high, ~0UL); }
@@ -128,7 +128,7 @@ const struct {
 //# register _INA
 //#   needs: INA
 //#   fidelity: as INA
-//#   stack: 30 16
+//#   stack: 14 0
 const auto &_INA = INA;
 
 //# helper PortRegister
@@ -190,7 +190,7 @@ struct PortRegister {
 //#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 34 18
+//#   stack: 32 18
 const PortRegister OUTA = {false};
 
 //# register DIRA
@@ -198,19 +198,19 @@ const PortRegister OUTA = {false};
 //#   fidelity: the directions of the cog that runs, as there; where the target has no cogs, of the whole program. Bits change
 //#   fidelity: one after the other: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 34 18
+//#   stack: 32 18
 const PortRegister DIRA = {true};
 
 //# register _OUTA
 //#   needs: PortRegister OUTA
 //#   fidelity: as OUTA
-//#   stack: 34 18
+//#   stack: 32 18
 static const PortRegister &_OUTA = OUTA;
 
 //# register _DIRA
 //#   needs: PortRegister DIRA
 //#   fidelity: as DIRA
-//#   stack: 34 18
+//#   stack: 32 18
 static const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq
@@ -219,7 +219,7 @@ static const PortRegister &_DIRA = DIRA;
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void waitpeq(uint32_t state, uint32_t mask) {
   while ((INA & mask) != state) yield();
 }
@@ -230,7 +230,7 @@ inline void waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void waitpne(uint32_t state, uint32_t mask) {
   while ((INA & mask) == state) yield();
 }
@@ -545,7 +545,7 @@ inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
 //#   needs: waitpeq
 //#   fidelity: as waitpeq
 //#   limit: a state that lasts less than 200 us can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
   waitpeq(state, mask);
 }
@@ -556,7 +556,7 @@ inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: waitpne
 //#   fidelity: as waitpne
 //#   limit: a state that lasts less than 200 us can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void __builtin_propeller_waitpne(uint32_t state, uint32_t mask) {
   waitpne(state, mask);
 }

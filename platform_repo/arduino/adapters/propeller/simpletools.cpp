@@ -93,7 +93,7 @@ __attribute__((always_inline)) inline uint32_t get_output(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo hal/own_pins
 //#   pin: pin digital both
 //#   fidelity: exact; where the target has no cogs, for a program on one cog
-//#   stack: 14 0
+//#   stack: 4 0
 inline uint32_t get_direction_at(int32_t pin) {
   return owned(Io(pin));
 }
@@ -163,7 +163,7 @@ __attribute__((always_inline)) inline uint32_t toggle(int32_t pin) {
 //#   needs: hal/Io hal/KnownIo hal/own_pins
 //#   pin: pin digital both
 //#   fidelity: exact
-//#   stack: 16 2
+//#   stack: 14 2
 inline uint32_t reverse_at(int32_t pin) {
   Io io(pin);
   io.drive(!owned(io));
