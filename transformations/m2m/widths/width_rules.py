@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from msgspec import Struct
 
 from robosmi.transformations.m2m.widths.width_formats import conversions, has_format, required_length
-from robosmi.transformations.m2m.widths.width_requirements import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
+from robosmi.transformations.m2m.widths.width_requirements import DEDUCED, NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
 from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
@@ -209,7 +209,7 @@ class Walk(Struct):
         if number is None or wanted is None or wanted.real or node.kind.enumeration:
             return
         if number.bits < wanted.bits and wanted.bits >= self.here.int_bits:
-            self.widen(node, wanted)
+            self.wants.append(WidthRequirement(DEDUCED, node, wanted))
 
     # ---- operators
 
