@@ -74,6 +74,22 @@ void setup() { Serial.begin(115200);
     assert levels == {"D8": [0, 1, 0, "z"], "D13": [0, 1, 0, 1, 0]}
 
 
+@proves(*p("OUTA", "DIRA"), "simpletools.h/get_direction", "simpletools.h/reverse")
+def a_pin_that_rests_at_a_level_is_no_output_of_the_program(uno: Uno) -> None:
+    program = """
+void setup() {
+  pinMode(8, OUTPUT); digitalWrite(8, HIGH); Serial.begin(115200);
+  Serial.print(DIRA); DIRA = 1L << 26; OUTA = 1L << 26; delay(2); Serial.print(get_direction(8)); DIRA |= 1 << 3; delay(2);
+  DIRA = 0; delay(2); reverse(8); delay(2); Serial.print(get_direction(8));
+}
+void loop() {}
+"""
+    names = [*p("OUTA", "DIRA"), "simpletools.h/get_direction", "simpletools.h/reverse"]
+    trace = replace(uno, numbers={3: "8", 26: "13"}).run(program, names, 30)
+    assert trace.text == "001"
+    assert [level for _, level in trace.levels("D8") if level != "p"] == [0, 1, 0, "z", 0]
+
+
 @proves(*p("waitpeq"), in_c=False)  # there a change reaches the pins with the next wait
 def one_bit_of_a_register_takes_little_time(uno: Uno) -> None:
     program = """

@@ -259,6 +259,6 @@ def test_a_pin_with_a_resting_level_is_let_go_when_its_cog_ends(tmp_path: Path) 
     require_tools("avr-gcc", "arduino-core-avr")
     require_engine("simavr")
     program = PROGRAMS / "resting_pump.c"
-    migrate([program], tmp_path / "out", hardware=program.with_suffix(".csv"), bind={"P4": "D7", "P5": "D8"})
+    migrate([program], tmp_path / "out", hardware=program.with_suffix(".csv"), bind={"P4": "D7", "P5": "D8", "P6": "D9"})
     released = content("chain", "simulate")(tmp_path / "out", seconds=1).result["released"]
-    assert sorted(each["pin"] for each in released if not each["pull_up"]) == ["D7", "D8"]
+    assert sorted(each["pin"] for each in released if not each["pull_up"]) == ["D7", "D8", "D9"]

@@ -151,3 +151,15 @@ def test_what_gives_its_type_has_the_bits_of_the_source() -> None:
     for old, new in marked:
         code, _, wanted = new.partition("  // ")
         assert wanted.removeprefix("becomes: ") in code if wanted != "stays" else new == old
+
+
+def test_a_pin_whose_type_counts_is_cast(tmp_path: Path) -> None:
+    program = tmp_path / "lamp.cpp"
+    program.write_text(
+        '#include "simpletools.h"\ntemplate <class T> void put(T p, T v) { set_output(p, v); set_direction(p, 1); }\n'
+        "int main() { put(8, 1); auto pin = 9U; high(pin); }\n"
+    )
+    made = robosmi.migrate([program], tmp_path / "out", bind={"P8": "D12", "P9": "D5"}).sketch
+    text = (made / "lamp.ino").read_text()
+    assert "put((int32_t)12, 1L);" in text
+    assert "auto pin = (uint32_t)5;" in text

@@ -25,7 +25,7 @@ from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten, settle_lists
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.ports.port_texts import explicit_enumerators, port_changes
-from robosmi.transformations.m2m.widths.widths import Widened
+from robosmi.transformations.m2m.widths.widths import Widened, cast_pins
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.plans.binding_edits import TRACED
 from robosmi.transformations.queries.plans.retained_pins import move_facts, retained_pins, retains_platform
@@ -228,6 +228,7 @@ def put_together(
     )
     arrays = any(helper.name == "ports" for helper in d.dependence.helpers)
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=retained_pins(plan)))
+    cast_pins(plan.widenings, plan.portBindings)
     if retains_platform(plan):
         from robosmi.transformations.m2m.ports.port_registers import change_registers  # other programs have no such registers
 

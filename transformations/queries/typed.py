@@ -59,7 +59,8 @@ class TypedExpression(Struct):
 
     Attributes:
         form: `literal`, `character`, `text`, `name`, `member`, `call`, `unary`, `binary`, `compound`, `assign`, `conditional`,
-            `index`, `cast`, `size`, `list`, `return`, `switch`, `case`, `if`, `declaration`, `lambda`, `macro`, or `other`.
+            `index`, `cast`, `size`, `list`, `return`, `switch`, `case`, `if`, `declaration`, `macro`, `other`, or `lambda`, which
+            a function with a deduced result is, too.
         operator: of unary, binary and compound ones.
         kind: its type on the source.
         converted: the type that it is converted to where it stands.

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Hashable, Mapping
-from typing import Any, Generic, TypeVar
+from typing import Any, ClassVar, Generic, TypeVar
 
 from msgspec import Struct
 
@@ -52,6 +52,9 @@ class Values:
         reads: (function of the platform, position) -> whether it surely only reads an array that it gets there.
     """
 
+    _methods: ClassVar[Mapping[str, Callable[[Any, Any], list[Value]]]]
+    """Kind of an expression -> how its values are computed."""
+
     def __init__(
         self,
         program: ccode.Program,
@@ -74,7 +77,7 @@ class Values:
 
     def of(self, expression: Element | None) -> list[Value]:
         """The values of an expression, in text order, each once."""
-        method = _METHODS.get(type(expression).__name__)
+        method = self._methods.get(type(expression).__name__)
         return _distinct(self._walk.ask(lambda: method(self, expression))) if method else [RUNTIME]
 
     def _guarded(self, element: D, what: str, body: Callable[[D], list[Value]], *given: Hashable) -> list[Value]:
@@ -272,7 +275,7 @@ class Values:
         return number if number is not None and 0 <= number < LIMIT else None
 
 
-_METHODS: dict[str, Callable[[Values, Any], list[Value]]] = {
+Values._methods = {
     "IntegerLiteral": Values._integer,
     "CharacterLiteral": Values._integer,
     "Cast": Values._cast,

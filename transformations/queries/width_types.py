@@ -19,6 +19,9 @@ _DEFINE = re.compile(r"(?:#|%:)[ \t]*define\b")
 _BETWEEN = QUALIFIERS | STORAGE_WORDS
 _NONE: Mapping[str, str] = {}
 
+_AFTER = re.compile(rb"\boperator\s*(?:\+\+|--)\s*\((?:[^(),]*,)?\s*(int)\b[^(),]*\)")
+"""The `int` that tells `pin++` from `++pin`, which C++ fixes."""
+
 
 def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE) -> list[Replacement]:
     """The words of declared types that are to be changed, in text order.
@@ -34,7 +37,9 @@ def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE)
         for kind, start, end, text in found
         if kind == "name" and text.endswith("_t") and text in names
     ]
-    return sorted([*types, *(word for run in _runs(iter(found)) for word in _written(run, bits))])
+    fixed = {match.start(1) for match in _AFTER.finditer(data)} if b"operator" in data else ()
+    runs = _runs(iter(found))
+    return sorted([*types, *(word for run in runs for word in _written(run, bits) if word.start not in fixed)])
 
 
 def retyped(text: str, bits: int = 32, names: Mapping[str, str] = _NONE) -> str:

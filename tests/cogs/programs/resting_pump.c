@@ -1,4 +1,4 @@
-/* A cog runs two pumps, one by registers, until main ends it; main never drives their pins. */
+/* A cog runs three pumps, two by registers, until main ends it; main never drives their pins. */
 #include "simpletools.h"
 
 int *cog;
@@ -8,6 +8,8 @@ void pump(void *par)
   high(4);
   DIRA |= 1 << 5;
   OUTA |= 1 << 5;
+  DIRA = DIRA | 1 << 6;
+  OUTA = OUTA | 1 << 6;
   while(1) pause(10);
 }
 

@@ -78,6 +78,8 @@ def test_every_port_that_a_program_reaches_is_listed() -> None:
     assert reached["macros"] == {7, 26, 5, 6, 11, 8}
     assert reached["macros_that_change"] == {3, 4, 5, 13, 14}
     assert reached["ranges"] == {*range(8, 16), 9, 26, 4, 5, 0, 1}
+    steps = {2, 3}, {4, 5, 6}, {8, 9, 10}, {12, 13}, {20, 21}, {25, 26, 27}, {30}
+    assert reached["stepped"] == set().union(*steps)
     assert reached["conventions"] == {7, 12, 13, 14}, (
         "encoders are no ports of a drive without them, but where a person binds one"
     )

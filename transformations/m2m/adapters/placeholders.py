@@ -75,6 +75,7 @@ def used_symbols(
                 not isinstance(symbol, ccode.ExternalSymbol)
                 or symbol.header in target.standard_headers
                 or reference.name in there
+                or "<" in str(reference.name)  # a member of a template, which no declaration can stand for
             ):
                 continue
             entry = view.resolve(reference.name)

@@ -8,8 +8,9 @@ from robosmi.transformations.queries.numbers import Number
 from robosmi.transformations.queries.typed import TypedExpression
 
 WIDEN, READ, NAME, SHIFT, TEXT, ORDER = "widen", "unsigned-char", "wider-function", "spelled-out", "format", "order"
+DEDUCED = "gives-type"
 """Rules: cast to a wider type, read plain char as unsigned, call a wider counterpart, expand a compound assignment, insert a
-length into a format, wrap a comparison function so that its result fits an int.
+length into a format, wrap a comparison function so that its result fits an int, widen what gives its type to something.
 """
 
 
@@ -17,7 +18,7 @@ class WidthRequirement(Struct):
     """An expression that has to be written differently.
 
     Attributes:
-        rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out`, `format` or `order`.
+        rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out`, `format`, `order` or `gives-type`.
         node: the expression.
         number: the type to cast to.
         text: the new name, or the operator of an expanded assignment.

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from msgspec import Struct
 
 from robosmi.transformations.m2m.widths.width_formats import conversions, has_format, required_length
-from robosmi.transformations.m2m.widths.width_requirements import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
+from robosmi.transformations.m2m.widths.width_requirements import DEDUCED, NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
 from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
@@ -33,7 +33,8 @@ class Walk(Struct):
         seen: place in a macro's body or argument -> the kinds of values found there: one use may pass an int, another a float.
         handing: functions of the program that pass a format on to the standard library.
         changed: places that are assigned or whose address is taken, so that no cast can be written there.
-        lambdas: how many lambdas are around the place of the walk: their results take the types of what they return.
+        lambdas: how many lambdas and functions are around the place of the walk whose results take the types of what they return.
+        resigned: whether plain char is signed on the target and unsigned on the source.
     """
 
     here: Machine
@@ -44,16 +45,15 @@ class Walk(Struct):
     changed: set[TextPlace] = set()
     handing: set[str] = set()
     lambdas: int = 0
+    resigned: bool = False
+
+    def __post_init__(self) -> None:
+        self.resigned = self.there.char_signed and not self.here.char_signed
 
     def run(self, top: list[TypedExpression]) -> None:
         """Walk over the declarations of a unit."""
         for node in top:
             self.value(node)
-
-    @property
-    def resigned(self) -> bool:
-        """Whether plain char is signed on the target and unsigned on the source."""
-        return self.there.char_signed and not self.here.char_signed
 
     def value(self, node: TypedExpression) -> Number | None:
         """The type of an expression on the target after its conversion to what its context expects; None if it is no number."""
@@ -209,7 +209,7 @@ class Walk(Struct):
         if number is None or wanted is None or wanted.real or node.kind.enumeration:
             return
         if number.bits < wanted.bits and wanted.bits >= self.here.int_bits:
-            self.widen(node, wanted)
+            self.wants.append(WidthRequirement(DEDUCED, node, wanted))
 
     # ---- operators
 

@@ -25,7 +25,7 @@ from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.macro_order import MacroOrder
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.widths.width_formats import handing_on
-from robosmi.transformations.m2m.widths.width_requirements import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
+from robosmi.transformations.m2m.widths.width_requirements import DEDUCED, NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
 from robosmi.transformations.m2m.widths.width_rules import Walk
 from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Machine, Number
@@ -37,6 +37,7 @@ TYPE = "type"
 _REASONS = {
     TYPE: "the type has as many bits as on the source",
     "widen": "the source computes it in more bits",
+    "gives-type": "what takes its type has as many bits as on the source",
     "unsigned-char": "plain char has no sign on the source",
     "wider-function": "the function or macro has as many bits as on the source",
     "spelled-out": "the source computes it in more bits before it stores it",
@@ -206,6 +207,7 @@ def _arguments(data: bytes, use: ccode.MacroUse) -> list[tuple[int, int]]:
 
 _LOST = {
     "widen": "the source computes this in more bits",
+    "gives-type": "what takes its type has more bits on the source",
     "unsigned-char": "plain char has no sign on the source",
     "wider-function": "the function has fewer bits on the target",
     "spelled-out": "the source computes this in more bits before it stores it",
@@ -234,6 +236,17 @@ def retype_decisions(dependence: Dependence, bits: int, names: Mapping[str, str]
     for symbol in dependence.symbols:
         if symbol.placeholder:
             symbol.placeholder = retyped(symbol.placeholder, bits, names)
+
+
+def cast_pins(widenings: Iterable[migration.Widening], bindings: Iterable[migration.PortBinding]) -> None:
+    """Cast the names of pins that take the place of numbers whose type counts, as in `put(lamp, 1L)` for `put(8, 1L)`."""
+    written = {(c.unit, c.startOffset, c.endOffset): c for w in widenings for c in w.changes if c.rule == DEDUCED}
+    for moved in (change for binding in bindings for change in binding.changes) if written else ():
+        change = written.get((moved.unit, moved.startOffset, moved.endOffset))
+        if change is not None and change.startOffset < change.endOffset:
+            letters = change.replacement.lstrip("0123456789xXabcdefABCDEF")
+            change.endOffset = change.startOffset
+            change.replacement = f"({_spelt(Number(64 if 'LL' in letters else 32, 'U' not in letters))})"
 
 
 def _renamed(text: str, renamed: Mapping[str, str]) -> str:
@@ -317,6 +330,7 @@ class Writer(Struct):
         for want in self.walk.wants:
             done = {
                 WIDEN: self._widen,
+                DEDUCED: self._widen,
                 READ: self._read,
                 NAME: self._name,
                 SHIFT: self._shift,
@@ -359,7 +373,7 @@ class Writer(Struct):
             match = _LITERAL.fullmatch(self._slice(place))
             if match is not None:
                 letters = ("" if number.signed else match[2] or "U") + ("LL" if number.bits > 32 else "L")
-                self._add(place.unit, Replacement(place.start, place.end, match[1] + letters), WIDEN)
+                self._add(place.unit, Replacement(place.start, place.end, match[1] + letters), want.rule)
                 return True
         place_ = self._place(node, {f"{number.bits} {number.signed} {k}" for k in ("number", "char", "character")}, number)
         if place_ is None:

@@ -78,6 +78,7 @@ _FORMS = {
     cursor_kinds.LAMBDA_EXPR: "lambda",
     cursor_kinds.ENUM_CONSTANT_DECL: "declaration",
 }
+_FUNCTIONS = frozenset((cursor_kinds.FUNCTION_DECL, cursor_kinds.CXX_METHOD, cursor_kinds.FUNCTION_TEMPLATE))
 _LITERAL, _PARAMETER, _FUNCTION = cursor_kinds.ENUM_CONSTANT_DECL, cursor_kinds.PARM_DECL, cursor_kinds.FUNCTION_DECL
 MOST_DEPTH = MAX_TREE_DEPTH
 
@@ -212,12 +213,24 @@ class _Reader:
             made.kind = self.typed(
                 self.lib.getCursorResultType(node.cursor) if form == "function" else self.lib.getCursorType(node.cursor)
             )
-        made.children = [self._made(child, depth + 1) for child in node.children]
+        children = node.children if form != "lambda" else [self._captured(child) for child in node.children]
+        made.children = [self._made(child, depth + 1) for child in children]
         if form == "declaration" and self.lib.getCursorType(node.cursor).kind == type_kinds.AUTO:
             made.deduced = tuple(range(len(made.children)))
+        elif node.kind in _FUNCTIONS and self.lib.getCursorResultType(node.cursor).kind == type_kinds.AUTO:
+            made.form = "lambda"
         if form == "case" and made.children:
             made.value = self._value(node.children[0])
         return made
+
+    def _captured(self, node: Node) -> Node:
+        """The declaration of a lambda's own variable (`[k = 300]`) in place of its name; any other node as it is."""
+        lib = self.lib
+        if node.kind != cursor_kinds.VARIABLE_REF:
+            return node
+        declared = lib.getCursorReferenced(node.cursor)
+        here, there = (self.parsed.reader.offset(lib.getCursorLocation(each)) for each in (node.cursor, declared))
+        return self.parsed.reader.subtree(declared) if here == there else node
 
     def _of_header_macro(self, node: Node) -> bool:
         """Whether an expression comes out of the body of a macro that the program does not define."""

@@ -102,12 +102,12 @@ inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
 //# helper read_ports
 //#   needs: hal/Io port
 //#   fidelity: a property of those ports whose bit is set in a mask
-inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
+inline uint32_t read_ports(bool (*property)(const Io &), uint32_t mask) {
   uint32_t bits = 0;
   for (uint8_t first = 0; mask; first += 8, mask >>= 8) {
     uint8_t found = 0, bit = 1, number = first;
     for (uint8_t rest = mask; rest; rest >>= 1, bit <<= 1, number++)
-      if (rest & 1 && (Io(port(number)).*property)()) found |= bit;
+      if (rest & 1 && property(Io(port(number)))) found |= bit;
     bits |= (uint32_t)found << first;
   }
   return bits;
@@ -117,39 +117,42 @@ inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
 //#   needs: hal/Io read_ports
 //#   fidelity: levels at the pins; they are read one after the other, all in some 250 us; of `INA & mask` only
 //#   fidelity: those of the mask, one in some 25 us
-//#   stack: 30 16
+//#   stack: 14 0
 const struct {
-  operator uint32_t() const { return read_ports(&Io::high, ~0UL); }
+  static bool is_high(const Io &io) { return io.high(); }
+  operator uint32_t() const { return read_ports(is_high, ~0UL); }
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
-  template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(&Io::high, (uint32_t)mask); }
+  template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(is_high, (uint32_t)mask); }
 } INA = {};
 
 //# register _INA
 //#   needs: INA
 //#   fidelity: as INA
-//#   stack: 30 16
+//#   stack: 14 0
 const auto &_INA = INA;
 
 //# helper PortRegister
-//#   needs: hal/Io port read_ports
+//#   needs: hal/Io hal/own_pins port read_ports
 //#   fidelity: only the bits that change are written, so that pins that other functions drive stay as they are
 struct PortRegister {
   bool directions;
 
-  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? &Io::driven : &Io::latch, mask); }
+  static bool is_output(const Io &io) { return owned(io); }
+  static bool is_set(const Io &io) { return io.latch(); }
+  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? is_output : is_set, mask); }
   operator uint32_t() const { return bits(); }
   void operator&() const = delete;  // what is behind a pointer would be this object, and no pin
   template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
   const PortRegister &change(uint32_t mask, uint32_t value, bool flips = false) const {
-    bool each = mask != ~0UL;  // else the value may hold what was read, which other cogs drive
+    bool all = mask == ~0UL;
     for (uint8_t first = 0; mask; first += 8, mask >>= 8, value >>= 8) {
       uint8_t number = first, levels = value;
       for (uint8_t rest = mask; rest; rest >>= 1, levels >>= 1, number++) {
         if (!(rest & 1)) continue;
         Io io(port(number));
-        bool before = directions ? io.driven() : io.latch(), level = flips ? !before : levels & 1;
-        if (directions && level && each && io.wired()) io.own(true);  // it may rest as an output since setup
+        bool before = directions ? owned(io) : io.latch(), level = flips ? !before : levels & 1;
         if (level == before) continue;
+        if (!directions && all && before && io.driven() && !owned(io)) continue;  // it rests since setup, or another cog drives it
         if (directions) io.drive(level);
         else io.set(level);
       }
@@ -187,27 +190,27 @@ struct PortRegister {
 //#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 34 18
+//#   stack: 32 18
 const PortRegister OUTA = {false};
 
 //# register DIRA
 //#   needs: PortRegister
-//#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other:
-//#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
+//#   fidelity: the directions of the cog that runs, as there; where the target has no cogs, of the whole program. Bits change
+//#   fidelity: one after the other: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 34 18
+//#   stack: 32 18
 const PortRegister DIRA = {true};
 
 //# register _OUTA
 //#   needs: PortRegister OUTA
 //#   fidelity: as OUTA
-//#   stack: 34 18
+//#   stack: 32 18
 static const PortRegister &_OUTA = OUTA;
 
 //# register _DIRA
 //#   needs: PortRegister DIRA
 //#   fidelity: as DIRA
-//#   stack: 34 18
+//#   stack: 32 18
 static const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq
@@ -216,7 +219,7 @@ static const PortRegister &_DIRA = DIRA;
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void waitpeq(uint32_t state, uint32_t mask) {
   while ((INA & mask) != state) yield();
 }
@@ -227,7 +230,7 @@ inline void waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void waitpne(uint32_t state, uint32_t mask) {
   while ((INA & mask) == state) yield();
 }
@@ -542,7 +545,7 @@ inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
 //#   needs: waitpeq
 //#   fidelity: as waitpeq
 //#   limit: a state that lasts less than 200 us can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
   waitpeq(state, mask);
 }
@@ -553,7 +556,7 @@ inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: waitpne
 //#   fidelity: as waitpne
 //#   limit: a state that lasts less than 200 us can be missed
-//#   stack: 37 19
+//#   stack: 13 6
 inline void __builtin_propeller_waitpne(uint32_t state, uint32_t mask) {
   waitpne(state, mask);
 }

@@ -90,17 +90,17 @@ __attribute__((always_inline)) inline uint32_t get_output(int32_t pin) {
 //# adapter get_direction
 //#   for: unsigned int get_direction(int pin)
 //#   kind: oneToOne
-//#   needs: hal/Io hal/KnownIo
+//#   needs: hal/Io hal/KnownIo hal/own_pins
 //#   pin: pin digital both
-//#   fidelity: exact for a program on one cog
-//#   stack: 2 0
+//#   fidelity: exact; where the target has no cogs, for a program on one cog
+//#   stack: 4 0
 inline uint32_t get_direction_at(int32_t pin) {
-  return Io(pin).driven();
+  return owned(Io(pin));
 }
 
 __attribute__((always_inline)) inline uint32_t get_direction(int32_t pin) {
   if (!pin_is_known(pin)) return get_direction_at(pin);
-  return KnownIo(pin).driven();
+  return owned(KnownIo(pin));
 }
 
 //# adapter set_output
@@ -160,21 +160,21 @@ __attribute__((always_inline)) inline uint32_t toggle(int32_t pin) {
 //# adapter reverse
 //#   for: unsigned int reverse(int pin)
 //#   kind: oneToMany
-//#   needs: hal/Io hal/KnownIo
+//#   needs: hal/Io hal/KnownIo hal/own_pins
 //#   pin: pin digital both
 //#   fidelity: exact
-//#   stack: 6 0
+//#   stack: 14 2
 inline uint32_t reverse_at(int32_t pin) {
   Io io(pin);
-  io.drive(!io.driven());
-  return io.driven();
+  io.drive(!owned(io));
+  return owned(io);
 }
 
 __attribute__((always_inline)) inline uint32_t reverse(int32_t pin) {
   if (!pin_is_known(pin)) return reverse_at(pin);
   KnownIo io(pin);
-  io.drive(!io.driven());
-  return io.driven();
+  io.drive(!owned(io));
+  return owned(io);
 }
 
 // ---------------------------------------------------------------- several pins
@@ -220,13 +220,13 @@ inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
 //#   for: unsigned int get_directions(int endPin, int startPin)
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
-//#   needs: hal/Io PortRange propeller.h/port
+//#   needs: hal/Io hal/own_pins PortRange propeller.h/port
 //#   fidelity: directions; the pins are read one after the other, within some 5 us each
 //#   stack: 16 0
 inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
-  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | Io(port(number)).driven();
+  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | owned(Io(port(number)));
   return pattern;
 }
 

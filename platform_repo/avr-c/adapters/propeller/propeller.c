@@ -195,7 +195,7 @@ static inline volatile uint32_t *port_bits(PortBits *bits, bool directions) {
   put_registers();
   for (int8_t number = 31; number >= 0; number--) {
     Io io = io_at(port(number));
-    now = now << 1 | (directions ? io_driven(io) : io_latch(io));
+    now = now << 1 | (directions ? io_owned(io) : io_latch(io));
   }
   uint8_t old = SREG;
   cli();

@@ -8,13 +8,13 @@
 //#   include: <avr/interrupt.h>
 //#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
-//#   ram: 12
+//#   ram: 24
 typedef struct {  // one pin, ready for access to its registers
   uint8_t number, mask;  // mask: 0 where there is no pin
   volatile uint8_t *in;  // PINx; DDRx and PORTx stand behind it
 } Io;
 enum { IO_DIRECTION = 1, IO_OUT = 2 };
-static uint8_t io_latches[12];
+static uint8_t io_latches[12], io_outputs[12];  // a pin that only rests at a level since before main is no output
 
 static inline Io io_at(int32_t number) {
   const uint16_t ports = 0
@@ -68,6 +68,10 @@ static inline bool io_driven(Io io) {
   return io.mask && io.in[IO_DIRECTION] & io.mask;
 }
 
+static inline bool io_owned(Io io) {
+  return io.mask && io_outputs[io.number >> 3] & io.mask;
+}
+
 static inline bool io_latch(Io io) {
   return io.mask && io_latches[io.number >> 3] & io.mask;
 }
@@ -89,6 +93,11 @@ static inline void io_set(Io io, bool value) {
 
 static inline void io_drive(Io io, bool output) {
   if (!io.mask) return;
+  uint8_t old = SREG;
+  cli();
+  if (output) io_outputs[io.number >> 3] |= io.mask;
+  else io_outputs[io.number >> 3] &= ~io.mask;
+  SREG = old;
   if (output) {
     io_put(io, IO_OUT, io_latch(io));
     io_put(io, IO_DIRECTION, true);
@@ -158,7 +167,7 @@ static inline uint32_t get_output(int32_t pin) {
 //#   pin: pin digital both
 //#   fidelity: exact for a program on one cog
 static inline uint32_t get_direction(int32_t pin) {
-  return io_driven(io_at(pin));
+  return io_owned(io_at(pin));
 }
 
 //# adapter set_output
@@ -202,8 +211,8 @@ static inline uint32_t toggle(int32_t pin) {
 //#   fidelity: exact
 static inline uint32_t reverse(int32_t pin) {
   Io io = io_at(pin);
-  io_drive(io, !io_driven(io));
-  return io_driven(io);
+  io_drive(io, !io_owned(io));
+  return io_owned(io);
 }
 
 //# adapter get_states
@@ -241,7 +250,7 @@ static inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
 static inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
   int32_t first = endPin < startPin ? endPin : startPin, last = endPin < startPin ? startPin : endPin;
   uint32_t pattern = 0;
-  for (; last >= first; last--) pattern = pattern << 1 | io_driven(io_at(port(last)));
+  for (; last >= first; last--) pattern = pattern << 1 | io_owned(io_at(port(last)));
   return pattern;
 }
 

@@ -36,7 +36,7 @@ _FLAGS = (
     "-nostdinc", "-nostdinc++", "-Wno-everything", "-ferror-limit=0", "-fno-spell-checking",
     f"-I{SKETCH}", f"-I{_STUB}",
 )  # fmt: skip
-_NEWER = ("-Werror=c++17-extensions", "-Wno-error=c++17-attribute-extensions")
+_NEWER = ("-Werror=c++17-extensions", "-Wno-error=c++17-attribute-extensions", "-Werror=constexpr-body")
 """What the compilers of the targets refuse in the standard that is given to them, and libclang only warns of."""
 _LANGUAGE = {"C": ("-xc", "-std=gnu11"), "C++": ("-xc++", "-std=gnu++11", "-nostdinc++", "-fpermissive", *_NEWER)}
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)

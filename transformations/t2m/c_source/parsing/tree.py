@@ -232,6 +232,12 @@ class TreeReader:
         self._read_below(top, types)
         return top
 
+    def subtree(self, cursor: Cursor) -> Node:
+        """The node of a cursor that the tree lacks, with all below it."""
+        top = Node(cursor.kind, *self.extent(cursor), bytes(cursor))
+        self._read_below([top], set())
+        return top
+
     def _read_below(self, tops: list[Node], types: set[int | None]) -> None:
         """Add all that is below the nodes of the top level; the types are those whose parts were read."""
         place, extent, cut = self._extent, self.extent, self.cut

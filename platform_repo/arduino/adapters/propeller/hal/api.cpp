@@ -79,6 +79,10 @@ struct Io {
   }
 };
 
+//# helper own_pins
+//#   needs: Io
+inline bool owned(const Io &io) { return io.driven(); }  // Io keeps them
+
 //# helper KnownIo
 //#   needs: Io
 //#   fidelity: an Io is as fast whether the compiler knows its pin or not

@@ -42,7 +42,7 @@ const uint8_t last_port = 5;
 const uint8_t last_port = 4;
 #endif
 static uint8_t latches[last_port - first_port + 1];
-static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
+static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 where nothing needs to know
 
 inline void cog_drives(uint8_t pin, bool output) {  // the cog that runs drives the pin, or no longer does
   if (!cog_pins_now) return;
@@ -104,6 +104,24 @@ struct Io {  // one pin, ready for access to its registers
     drive(true);
   }
 };
+
+//# helper own_pins
+//#   needs: Io
+//#   fidelity: which pins the program drives; one that only rests at a level since setup is none
+//#   ram: 3
+static uint8_t own_pins[(NUM_DIGITAL_PINS + 7) / 8];
+
+struct OwnPins {
+  OwnPins() {
+    if (!cog_pins_now) cog_pins_now = own_pins;
+  }
+};
+static OwnPins own_pins_begun;
+
+template <class Pin>
+__attribute__((always_inline)) inline bool owned(const Pin &io) {
+  return io.wired() && cog_pins_now[io.pin >> 3] >> (io.pin & 7) & 1;
+}
 
 //# helper pin_places
 //#   fidelity: port and bit of each pin on the boards of the core. Its own tables are in the program memory, where no compiler reads them

@@ -32,7 +32,7 @@ inline void repeat(repeating_timer_t &timer, uint32_t us, repeating_timer_callba
 //#   include: <hardware/gpio.h>
 //#   fidelity: output latch and direction are independent in this chip, too. The first use of a pin makes it an input without pulls; one that
 //#   fidelity: a servo, a tone or a wave has is theirs until it is driven
-static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 until one is started
+static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 where nothing needs to know
 
 struct Io {
   uint8_t pin;
@@ -72,6 +72,24 @@ struct Io {
     drive(true);
   }
 };
+
+//# helper own_pins
+//#   needs: Io
+//#   fidelity: which pins the program drives; one that only rests at a level since setup is none
+//#   ram: 4
+static uint8_t own_pins[(NUM_DIGITAL_PINS + 7) / 8];
+
+struct OwnPins {
+  OwnPins() {
+    if (!cog_pins_now) cog_pins_now = own_pins;
+  }
+};
+static OwnPins own_pins_begun;
+
+template <class Pin>
+__attribute__((always_inline)) inline bool owned(const Pin &io) {
+  return io.wired() && cog_pins_now[io.pin >> 3] >> (io.pin & 7) & 1;
+}
 
 //# helper KnownIo
 //#   needs: Io
