@@ -88,6 +88,9 @@ class _Writer(WrittenFile):
             from robosmi.model.xmi.ecore_writer import EcoreText  # few files are metamodels
 
             return EcoreText(self.metamodel_link, self.metamodel_text).write(self.roots)
+        if self.name.endswith(".ecore") and (other := [root for root in self.roots if not isinstance(root, ecore.EModelElement)]):
+            what = f"{self.name}: {shown(other[0])} is no element of a metamodel, and an .ecore file holds a metamodel"
+            raise ModelError(what, fix="save the model as an .xmi file")
         if len(self.roots) == 1:
             tag = self.name_of(self.roots[0].eClass)
             body = self.elements([("", tag, self.roots[0])], "")
