@@ -1,8 +1,7 @@
-"""What is odd in .ecore files that can be read all the same: bounds and opposites that no model can fulfil, names that occur twice,
-misspelt features.
+"""What is odd in .ecore files that can be read all the same: bounds, opposites and names that contradict, misspelt features.
 
-EMF's validation reports the same of bounds, opposites and names, and its loader refuses unknown attributes and elements; here they
-would be read over, and the model would be blamed.
+EMF's validation reports the same of bounds, opposites and names, and its loader refuses unknown attributes and elements; here
+they would be read over, and the model would be blamed.
 """
 
 from __future__ import annotations
