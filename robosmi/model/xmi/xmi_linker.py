@@ -15,7 +15,7 @@ from urllib.parse import unquote
 from robosmi.model.ecore.xmi_document import Document
 from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, new_slot
-from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
+from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, EReference, Package
 from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.proxies import preserve_link
@@ -85,8 +85,10 @@ class XmiLinker:
 
     def link(self, document: Document) -> None:
         """Resolve the references of a document; `finish` must follow when all documents are linked."""
-        found, ids = self._found[id(document)], document.ids
-        for owner, entry, text, line, whole in document.references:
+        found, ids, waiting = self._found[id(document)], document.ids, document.references
+        waiting.reverse()
+        while waiting:  # each is let go at once: those of a large model take as much memory as its elements
+            owner, entry, text, line, whole = waiting.pop()
             if not entry.many:
                 target = ids.get(text) or found.get(text)
                 if target is None:
@@ -184,7 +186,7 @@ class XmiLinker:
         slots[entry.key] = new_slot(ReferenceValue, owner, entry.feature, target)
         if entry.back is None:
             compact_slots.note_link(target, (owner, entry.feature))
-        else:
+        elif not _answers(target, entry.back, owner):
             self._two_sided.append((document, line, owner, entry, [target]))
 
     def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[EObject]) -> None:
@@ -198,7 +200,8 @@ class XmiLinker:
             else:
                 for target in targets:
                     add_silently(many, target)
-            self._two_sided.append((document, line, owner, entry, targets))
+            if left := [target for target in targets if not _answers(target, entry.back, owner)]:
+                self._two_sided.append((document, line, owner, entry, left))
             return
         for target in targets:
             if add_silently(many, target):
@@ -212,6 +215,8 @@ class XmiLinker:
                 continue
             key, many = key_of(back), back.many
             for target in targets:
+                if _answers(target, back, owner):
+                    continue
                 slot = target.__dict__.get(key)
                 if many:
                     if slot is None:
@@ -222,7 +227,7 @@ class XmiLinker:
                     target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
                     if (id(owner), id(target)) in self._kept:
                         preserve_link(target, key, owner, None, True)
-                elif target_in(slot) is not owner:  # a file that EMF wrote has both sides
+                elif target_in(slot) is not owner:
                     other = shown(target_in(slot))
                     self._wrong(
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
@@ -261,6 +266,14 @@ class XmiLinker:
             compact_slots.note_link(part, (owner, entry.feature))
         else:
             part.__dict__[key_of(entry.back)] = new_slot(ReferenceValue, part, entry.back, owner)
+
+
+def _answers(target: EObject, back: EReference, owner: EObject) -> bool:
+    """Whether the other side of an opposite is there already: a file that EMF wrote has both."""
+    slot = target.__dict__.get(key_of(back))
+    if slot.__class__ is ReferenceValue:
+        return target_in(slot) is owner
+    return slot.__class__ is FeatureOrderedSet and owner in slot.map
 
 
 def _move(many: Any, place: int) -> None:
