@@ -33,7 +33,7 @@ from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.python_names import python_name
 from robosmi.model.generator.package_cycles import Cycles
 from robosmi.model.generator.package_names import PackageNames
-from robosmi.model.generator.package_types import MAP_ENTRY, Notes
+from robosmi.model.generator.package_types import MAP_ENTRY, Notes, is_base
 from robosmi.model.generator.package_view import Mixins, PackageView, view_of
 
 MIXINS = "mixins.py"
@@ -259,11 +259,11 @@ def _twice(owner: str, what: str, elements: Sequence[DescribedElement]) -> Itera
 def _class(cls: Class) -> Iterator[Problem]:
     yield from _twice(f"class '{cls.path}'", "feature", cls.features)
     for base in cls.supertypes:
-        if is_known(base) and base.name != "EObject":
+        if base.name != "EObject" and not is_base(base):
             yield Problem(
                 "a class inherits from one of Ecore's own", cls.location,
                 f"'{cls.path}' inherits from {base.package.name}.{base.name}, which pyecore keeps for metamodels",
-                "load the .ecore file instead: Metamodel.load; or inherit from EObject or a class of your own",
+                "load the .ecore file instead: Metamodel.load; or inherit from EModelElement, ENamedElement or EObject",
             )  # fmt: skip
     for feature in cls.features:
         kind = feature.classifier
