@@ -26,7 +26,7 @@ from robosmi.base.template_files import TemplateFiles
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.files.commit import update
-from robosmi.model.ecore.ecore_description import ECORE, Class, DataType, DescribedElement, Enumeration, Package, is_known
+from robosmi.model.ecore.ecore_description import ECORE, Class, DataType, DescribedElement, Enumeration, Package
 from robosmi.model.ecore.ecore_loader import MetamodelError, Problem, load_metamodels
 from robosmi.model.ecore.linearise import bases, topological
 from robosmi.model.elements.datatypes import ECORE_URI
