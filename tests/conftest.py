@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -15,12 +16,18 @@ from tests.copies import Copies
 ROOT = Path(__file__).resolve().parents[1]
 BYTECODE = ROOT / ".pytest_cache" / "bytecode"
 """It lasts: to compile the tests takes longer than to collect them."""
+_NUMBERS = count()
 _HOME = pytest.StashKey["tempfile.TemporaryDirectory[str]"]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Let the tier be chosen."""
     tiers.add_option(parser)
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """What `-n auto` means."""
+    return tiers.workers(config.getoption("tier"))
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -46,9 +53,10 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(autouse=True)
-def _own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+def _own_data(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """No test reads or writes the data of the person who runs it: history, imported libraries, parts and platforms."""
-    folder = tmp_path_factory.mktemp("data")
+    folder = Path(request.config.stash[_HOME].name, str(next(_NUMBERS)))  # pytest's own would look at all folders of the run
+    folder.mkdir()
     monkeypatch.setenv("ROBOSMI_HOME", str(folder))
     monkeypatch.setenv("ROBOSMI_HISTORY", str(folder / "history.sqlite"))
     if "ROBOSMI_NPM" not in os.environ:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import gc
 import inspect
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from types import CodeType, FunctionType, ModuleType
@@ -89,6 +90,12 @@ def add_option(parser: pytest.Parser) -> None:
     parser.addoption("--tier", choices=list(TIERS), default="all", help="run the tests of this tier alone (tests/tiers.py)")
 
 
+def workers(tier: str) -> int:
+    """How many processes share out the tests of a tier: where tests wait for compilers and simulators, three for two cores."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return cores if tier == "check" else cores + cores // 2
+
+
 def join(config: pytest.Config) -> None:
     """Let the tests be chosen by tier, and watch that they start nothing unannounced."""
     global _chosen
@@ -118,7 +125,7 @@ class Tiers:
 
     def audit(self, event: str, arguments: tuple[Any, ...]) -> None:
         """Fail the test that starts a process without a mark."""
-        if self.running is None or event not in EVENTS or (event == "os.kill" and arguments[1] == 0):
+        if event not in EVENTS or self.running is None or (event == "os.kill" and arguments[1] == 0):
             return
         what = arguments[1] if event == "subprocess.Popen" else arguments
         self.started = (

@@ -6,14 +6,24 @@ import json
 import os
 import subprocess
 import sys
-from collections import defaultdict
 from pathlib import Path
 
 import pytest
 
-from tests.mutants.__main__ import RECORDING, ROOT, Campaign, Mutant, Outcome, equivalent, sample
+from tests.mutants import reached
+from tests.mutants.__main__ import (
+    RECORDING,
+    ROOT,
+    Campaign,
+    Mutant,
+    Outcome,
+    Recording,
+    equivalent,
+    in_stages,
+    one_of_each_file,
+    sample,
+)
 from tests.mutants.changes import Change, changes
-from tests.mutants.nearest import nearest
 from tests.recording.mutant import MUTANT
 
 TEXT = b'''"""A module."""
@@ -81,32 +91,46 @@ def test_a_sample_is_the_same_for_a_seed_and_takes_a_line_once() -> None:
     assert len(sample(mutants, 99, 1)) == 5
 
 
-def test_the_tests_of_a_module_are_nearest_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    module, between = ROOT / "robosmi/model/xmi/xmi_reader.py", ROOT / "robosmi/model/emf.py"
-    named, importing, fixtures, far = (
-        ROOT / "tests" / name for name in ("model/xmi/test_xmi_reader.py", "cli/test_a.py", "model/test_b.py", "model/test_c.py")
-    )
-    users = {module: {between, importing}, between: {fixtures, importing}}
-    monkeypatch.setattr("tests.mutants.nearest._users", lambda: defaultdict(set, users))
-    monkeypatch.setattr("tests.mutants.nearest.modules", lambda _: [far, fixtures, importing, named, ROOT / "tests/running.py"])
-    assert nearest(module) == [named, importing, fixtures, far]
+def test_one_test_of_each_file_comes_first() -> None:
+    assert one_of_each_file(["b.py::c", "a.py::b", "a.py::a", "a.py::b"]) == ["a.py::a", "b.py::c", "a.py::b"]
+
+
+def test_the_tests_that_run_the_line_come_before_those_of_the_module() -> None:
+    change = next(each for each in changes(TEXT) if each.line == 20)
+    many = {f"a.py::{number:02}" for number in range(30)}
+    first, rest, others = in_stages(Mutant("m.py", change, TEXT), {20: many, 21: {"b.py::x", "a.py::01"}})
+    assert (len(first), len(rest), others) == (24, 6, ["b.py::x"])
+    assert {*first, *rest} == many
 
 
 def test_a_campaign_goes_on_where_it_has_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tests.mutants.__main__.OUT", tmp_path)
-    monkeypatch.setattr("tests.mutants.__main__.nearest", lambda _: [Path(f"{number}") for number in range(100)])
-    ran: list[tuple[int, int]] = []
+    monkeypatch.setattr("tests.mutants.__main__.in_stages", lambda *_: (["a"], ["b"], ["c"]))
+    monkeypatch.setattr(Recording, "tests_of_lines", lambda *_: {})
+    ran: list[str] = []
 
-    def failing(_: Campaign, mutant: Mutant, files: list[Path]) -> str:
-        ran.append((int(files[0].name), int(files[-1].name)))
+    def failing(_: Campaign, mutant: Mutant, tests: list[str]) -> str:
+        ran.extend(tests)
         return "a test" if len(ran) == 3 else ""
 
     monkeypatch.setattr(Campaign, "_failing", failing)
-    mutant = Mutant("m.py", changes(TEXT)[0], TEXT)
-    assert Campaign("check", 0).judge(mutant, 1) == Outcome(1, "")
-    assert Campaign("check", 0).judge(mutant, 3) == Campaign("check", 0).judge(mutant, 3) == Outcome(3, "a test")
-    assert ran == [(0, 7), (8, 59), (60, 99)]
+    mutant, recording = Mutant("m.py", changes(TEXT)[0], TEXT), Recording(tmp_path, frozenset())
+    assert Campaign("check", 0).judge(mutant, 1, recording) == Outcome(1, "")
+    assert Campaign("check", 0).judge(mutant, 3, recording) == Campaign("check", 0).judge(mutant, 3, recording)
+    assert Campaign("check", 0).outcomes == {mutant.name: Outcome(3, "a test")}
+    assert ran == ["a", "b", "c"]
     assert Campaign("test", 0).outcomes == {}
+
+
+def test_a_recording_has_the_tests_of_each_line_that_pass(tmp_path: Path) -> None:
+    module = "robosmi/base/quantities.py"
+    reached.start(tmp_path, [ROOT / module])
+    around = {reached.RECORDED: str(tmp_path)}
+    assert Campaign("all", 0).failures(["tests/test_quantities.py"], around, "-p", "tests.mutants.reached") == []
+    tests = set().union(*Recording(tmp_path, frozenset()).tests_of_lines(module).values())
+    assert tests
+    assert {test.partition("::")[0] for test in tests} == {"tests/test_quantities.py"}
+    assert not any(Recording(tmp_path, frozenset(tests)).tests_of_lines(module).values())
 
 
 def test_a_mutant_is_what_a_run_and_all_that_it_starts_import(tmp_path: Path) -> None:
