@@ -15,7 +15,7 @@ from urllib.parse import unquote
 from robosmi.model.ecore.xmi_document import Document
 from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, new_slot
-from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, EReference, Package
+from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
 from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.proxies import preserve_link
@@ -186,8 +186,10 @@ class XmiLinker:
         slots[entry.key] = new_slot(ReferenceValue, owner, entry.feature, target)
         if entry.back is None:
             compact_slots.note_link(target, (owner, entry.feature))
-        elif not _answers(target, entry.back, owner):
-            self._two_sided.append((document, line, owner, entry, [target]))
+        else:
+            other = target.__dict__.get(key_of(entry.back))  # a file that EMF wrote has both sides; looked at without a call
+            if not (other.__class__ is FeatureOrderedSet and owner in other.map):
+                self._two_sided.append((document, line, owner, entry, [target]))
 
     def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[EObject]) -> None:
         slots = owner.__dict__
@@ -200,8 +202,7 @@ class XmiLinker:
             else:
                 for target in targets:
                     add_silently(many, target)
-            if left := [target for target in targets if not _answers(target, entry.back, owner)]:
-                self._two_sided.append((document, line, owner, entry, left))
+            self._two_sided.append((document, line, owner, entry, targets))
             return
         for target in targets:
             if add_silently(many, target):
@@ -215,9 +216,12 @@ class XmiLinker:
                 continue
             key, many = key_of(back), back.many
             for target in targets:
-                if _answers(target, back, owner):
-                    continue
                 slot = target.__dict__.get(key)
+                if slot.__class__ is ReferenceValue:
+                    if target_in(slot) is owner:  # a file that EMF wrote has both sides
+                        continue
+                elif slot.__class__ is FeatureOrderedSet and owner in slot.map:
+                    continue
                 if many:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
@@ -266,14 +270,6 @@ class XmiLinker:
             compact_slots.note_link(part, (owner, entry.feature))
         else:
             part.__dict__[key_of(entry.back)] = new_slot(ReferenceValue, part, entry.back, owner)
-
-
-def _answers(target: EObject, back: EReference, owner: EObject) -> bool:
-    """Whether the other side of an opposite is there already: a file that EMF wrote has both."""
-    slot = target.__dict__.get(key_of(back))
-    if slot.__class__ is ReferenceValue:
-        return target_in(slot) is owner
-    return slot.__class__ is FeatureOrderedSet and owner in slot.map
 
 
 def _move(many: Any, place: int) -> None:
