@@ -168,9 +168,9 @@ class _Writer(WrittenFile):
                     slot = slots[key]
                     if kind == VALUE:
                         value = slot if slot.__class__ in UNBOXED_TYPES else held(slot)
-                        if value.__class__ is str and plain is str:
+                        if value.__class__ is str and plain is str and not has_markup(value):
                             if value != column.default:
-                                append(f'{column.start}{in_attribute(value) if has_markup(value) else value}"')
+                                append(f'{column.start}{value}"')
                         elif value.__class__ is plain and (text := rendered.get(value)) is not None:
                             append(text)
                         else:
