@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from robosmi.base.data_text import Json
     from robosmi.diagnostics import Finding
     from robosmi.metamodels import ccode, hardware, migration
-    from robosmi.model import Model
+    from robosmi.model import Metamodel, Model
     from robosmi.model.comparison.comparison import ModelComparison
     from robosmi.model.comparison.merging import ModelMerge
     from robosmi.project import Project
@@ -354,14 +354,14 @@ def check_model(path: str | Path, *, target: str | None = None) -> Analysed:
 
 
 def compare(
-    before: str | Path | Model, after: str | Path | Model, *, metamodel: str | Path | Sequence[str | Path] = ()
+    before: str | Path | Model, after: str | Path | Model, *, metamodel: str | Path | Sequence[str | Path] | Metamodel = ()
 ) -> ModelComparison:
     """What is different about two models: elements matched by id, by key, else by similarity.
 
     Args:
         before: a model of EMF, or its file (XMI, JSON, .ecore).
         after: the other.
-        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+        metamodel: .ecore files of models that are given as files, or a `Metamodel`; the built-in metamodels if none.
 
     Returns:
         The comparison; `.changes` in order, `.equal` whether there are none.
@@ -381,7 +381,7 @@ def merge(
     b: str | Path | Model,
     *,
     take: Literal["a", "b"] | None = None,
-    metamodel: str | Path | Sequence[str | Path] = (),
+    metamodel: str | Path | Sequence[str | Path] | Metamodel = (),
 ) -> ModelMerge:
     """Merge what two models made of one: what only one changed is taken, what both changed differently is a conflict.
 
@@ -390,7 +390,7 @@ def merge(
         a: the first. Given as a model, it becomes the merged one, unless there are conflicts and no side is to win them.
         b: the second.
         take: the side that wins all conflicts.
-        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+        metamodel: .ecore files of models that are given as files, or a `Metamodel`; the built-in metamodels if none.
 
     Returns:
         The merge; `.conflicts` in order, `.model` the merged model, to be saved.

@@ -2,10 +2,11 @@
 
 A type `t_tag` is all elements of a tag, `Element` all elements. Of an element `a_x` and `s_x` are an attribute's text, `i_x`,
 `f_x`, `d_x`, `b_x` its value as a number or Boolean, `e_x` the first child element of a tag, `c_x` all of them, `x_x` what an
-attribute refers to (`bind`); also `text`, `tagName`, `namespaceURI`, `children`, `parentNode`, `line`. Tags and attributes go by
-their local names; `M["t_dc:creator"]` is those with that prefix. `children` and `c_x` are lists whose changes are changes of the
-document, `M.root` is its root. Source: the PlainXML driver of Epsilon. Different on purpose: a number that is missing is None
-and a text that is no number an error, where Epsilon gives 0; a document with elements that were put nowhere is not saved.
+attribute refers to (`bind`); also `text`, `tagName`, `namespaceURI`, `children`, `descendants`, `parentNode`, `parent`, `line`,
+and `name`, the local name. Tags and attributes go by their local names; `M["t_dc:creator"]` is those with that prefix.
+`children`, `c_x` and an `x_x` of several are lists whose changes are changes of the document, `M.root` is its root. Source: the
+PlainXML driver of Epsilon. Different on purpose: a number that is missing is None and a text that is no number an error, where
+Epsilon gives 0; an attribute takes no collection; a document with elements that were put nowhere is not saved.
 Entities are never expanded; a file that declares some is refused.
 """
 
@@ -20,7 +21,7 @@ from robosmi.errors import ModelError, did_you_mean
 from robosmi.files.files import read_input, write_atomic
 from robosmi.model.elements.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type, refuse_unknown_attribute
 from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
-from robosmi.model.xml_children import ChildList
+from robosmi.model.xml_children import ChildList, LiveList, ReferredList
 from robosmi.model.xml_texts import checked, typed, written
 from robosmi.model.xml_tree import read_tree, root_offset
 
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 
 _PLAIN = ("tagName", "namespaceURI", "text", "children", "parentNode", "line")
+_SAME = ("name", "parent", "descendants")
+"""Epsilon's other names of what the features above give."""
 _TYPED = "abdfis"
 
 Feature: TypeAlias = "bool | int | float | str | XmlElement | list[XmlElement] | None"
@@ -53,12 +56,17 @@ class XmlElement(ModelElement):
         parent = self._node.getparent()
         return None if parent is None else self._model._wrap(parent)
 
-    parentNode = property(eContainer)
+    parentNode = parent = property(eContainer)
 
     @property
     def children(self) -> ChildList[XmlElement]:
         """The child elements, in order; changes of the list are changes of the document."""
         return self._list(None)
+
+    @property
+    def descendants(self) -> list[XmlElement]:
+        """All elements in this one, in document order."""
+        return self._model._below(self._node)[1:]
 
     def _children(self, tag: str | None = None) -> list[XmlElement]:
         wrap = self._model._wrap
@@ -93,6 +101,11 @@ class XmlElement(ModelElement):
         return _name_of(self._node)
 
     @property
+    def name(self) -> str:
+        """The tag without its prefix."""
+        return _local(self._node.tag)
+
+    @property
     def namespaceURI(self) -> str | None:
         """The namespace of the tag, or None."""
         return str(self._node.tag)[1:].rpartition("}")[0] or None
@@ -125,7 +138,7 @@ class XmlElement(ModelElement):
     def __setattr__(self, name: str, value: FeatureValue) -> None:
         kind, _, rest = name.partition("_")
         if name == "text":
-            text = checked("" if value is None else str(value), self, name)
+            text = checked("" if value is None else written("s", value, self, name), self, name)
             self._model._change()
             for child in list(self._node):
                 self._node.remove(child)
@@ -137,11 +150,11 @@ class XmlElement(ModelElement):
                     del self._node.attrib[place]
             else:
                 self._model._set(self._node, place, checked(written(kind, value, self, name), self, name))
-        elif isinstance(value, ChildList) and value.belongs_to(self):  # `children += [...]`, which has changed them
+        elif isinstance(value, LiveList) and value.belongs_to(self):  # `children += [...]`, which has changed them
             return
         elif rest and kind == "x":
             self._model._refer(self, rest, value)
-        elif name in _PLAIN or (rest and kind in "ce"):
+        elif name in (*_PLAIN, *_SAME) or (rest and kind in "ce"):
             raise FeatureValueError(f"{self!r}.{name} cannot be set", fix="use appendChild, delete, or set the attribute")
         else:
             raise self._unknown(name)
@@ -317,14 +330,17 @@ class XmlModel(Model):
 
     def _everything(self) -> list[XmlElement]:
         if self._all is None:
-            wrap = self._wrap
-            tops = [*reversed(self._loose()), *([] if self._root is None else [self._root])]
-            self._all = []
-            while tops:  # lxml's own iterator takes quadratic time in depth
-                node = tops.pop()
-                self._all.append(wrap(node))
-                tops.extend(child for child in reversed(node) if isinstance(child.tag, str))
+            self._all = self._below(*([] if self._root is None else [self._root]), *self._loose())
         return self._all
+
+    def _below(self, *tops: _Element) -> list[XmlElement]:
+        """These elements with all in them, in document order."""
+        found, left = [], list(reversed(tops))
+        while left:  # lxml's own iterator takes quadratic time in depth
+            node = left.pop()
+            found.append(self._wrap(node))
+            left.extend(child for child in reversed(node) if isinstance(child.tag, str))
+        return found
 
     def _loose(self) -> list[_Element]:
         """What was created and put nowhere yet."""
@@ -400,7 +416,9 @@ class XmlModel(Model):
                 value = element._attribute(attribute) or ""
                 ids = [part.strip() for part in value.split(",")] if many else [value.strip()]
                 found = [x for x in self.all_of_kind(self._kind(target)) if isinstance(x, XmlElement) and x._attribute(by) in ids]
-                return found if many else (found[0] if found else None)
+                if many:
+                    return ReferredList(found, element, lambda wanted: self._refer(element, attribute, wanted))
+                return found[0] if found else None
         raise _no_reference(element, attribute)
 
     def _refer(self, element: XmlElement, attribute: str, value: FeatureValue) -> None:

@@ -86,7 +86,13 @@ class Session:
         return Metamodel([*self._maker.make(described), *own])
 
     def open_model(
-        self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: V
+        self,
+        path: str | Path,
+        driver: str | None = None,
+        name: str | None = None,
+        *,
+        metamodel: Paths | Metamodel = (),
+        **options: V,
     ) -> Model:
         """Open a model of any technology; see `open_model`.
 
@@ -94,17 +100,18 @@ class Session:
             path: the file, or the folder with tables.
             driver: the driver's name; found by the file if None.
             name: what `M!Book` calls the model; the file's name without its ending if None.
-            metamodel: .ecore files, of XMI; the built-in metamodels and those of the models that are open if none.
+            metamodel: .ecore files, of XMI, or a `Metamodel`; the built-in metamodels and those of the open models if none.
             options: what the driver takes besides.
 
         Raises:
             SourceError, ModelError, UsageError: as `open_model` and `metamodel`.
         """
         more: dict[str, Metamodel | OpenFiles] = {}
-        files = [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel)
-        if files:
+        if isinstance(metamodel, Metamodel):
+            more["metamodel"] = metamodel
+        elif files := [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel):
             more["metamodel"] = self.metamodel(*files)
-        driven = driver_of(Path(path), driver, bool(files))
+        driven = driver_of(Path(path), driver, bool(more))
         if driven is open_xmi:
             more["open_files"] = self._files
         model = opened_by(driven, Path(path), name, **options, **more)

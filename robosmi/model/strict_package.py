@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import importlib
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, MutableSequence
 from datetime import datetime
 from decimal import Decimal
 from importlib.util import resolve_name
@@ -83,6 +83,16 @@ if TYPE_CHECKING:
     def __getattr__(name: str) -> EDataType:
         """Ecore's data types by name."""
 
+    class AnnotatedBase(Element):
+        """What a class inherits from that inherits from Ecore's EModelElement."""
+
+        eAnnotations: MutableSequence[Any]
+
+    class NamedBase(AnnotatedBase):
+        """What a class inherits from that inherits from Ecore's ENamedElement."""
+
+        name: str | None
+
     class EStringToStringMapEntry(Element):
         """Ecore's own class of pairs of texts, which pyecore has as a dict."""
 
@@ -140,6 +150,17 @@ else:
                     for key in {*namespace} & {*vars(mixin)}:
                         if isinstance(namespace[key], ecore.EStructuralFeature):
                             setattr(cls, key, _OwnCode(vars(mixin)[key], namespace[key]))
+
+    class MetaEcoreSubclass(MetaEClass, type(ecore.EPackage), type(ecore.EModelElement)):
+        """The metaclass of generated classes that inherit from one of Ecore's own."""
+
+        __instancecheck__ = type.__instancecheck__  # for pyecore's, a module that is a package would be an element
+
+    def _with(base: type) -> Any:
+        """A strict class that stands for one of Ecore's, and has no EClass of its own."""
+        return type.__new__(MetaEcoreSubclass, base.__name__, (Element, base), {"__doc__": base.__doc__, "eClass": base.eClass})
+
+    AnnotatedBase, NamedBase = _with(ecore.EModelElement), _with(ecore.ENamedElement)
 
     class _OwnCode:
         """The user's property that computes a derived feature; all else that is asked of it is the feature's (`eType`)."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from robosmi.model.elements.driver import FeatureValue, ModelElement
+from robosmi.model.elements.ecore import EEnumLiteral, EObject
 from robosmi.model.elements.strict import FeatureValueError
 
 _FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
@@ -27,7 +29,9 @@ def typed(kind: str, value: str | None, element: ModelElement, name: str) -> boo
 
 
 def written(kind: str, value: FeatureValue, element: ModelElement, name: str) -> str:
-    """The text of a value that an attribute is given by that prefix; of another kind it is refused."""
+    """The text of a value that an attribute is given by that prefix; of another kind, and collections, are refused."""
+    if isinstance(value, (ModelElement, EObject, Iterable)) and not isinstance(value, (str, EEnumLiteral)):
+        raise FeatureValueError(f"{element!r}.{name} does not take {value!r}: it takes one value", fix="write its text: str(...)")
     wanted = {"b": (bool,), "i": (int,), "f": (int, float), "d": (int, float)}.get(kind)
     if wanted is not None and (not isinstance(value, wanted) or (kind != "b" and isinstance(value, bool))):
         raise FeatureValueError(f"{element!r}.{name} does not take {value!r}", fix="give a value of its kind, or use a_...")

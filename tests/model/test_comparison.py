@@ -185,7 +185,7 @@ def test_references_into_other_files_are_compared_by_where_they_lead(tmp_path: P
 
 def test_what_cannot_be_compared_is_refused() -> None:
     with pytest.raises(ModelError, match="different metamodels") as caught:
-        compare(LIBRARY / "library.xmi", SPLIT / "ok.xmi", [LIBRARY / "library.ecore", SPLIT / "g.ecore"])
+        compare(LIBRARY / "library.xmi", SPLIT / "ok.xmi", Metamodel.load(LIBRARY / "library.ecore", SPLIT / "g.ecore"))
     assert caught.value.location is not None
     assert caught.value.fix
     rows = Path(__file__).parent / "drivers" / "cases" / "rows"

@@ -43,6 +43,7 @@ ODD = {
     "no_types": "a package without a class",
     "bare": "no namespace",
     "empty_default": "a default that is no value",
+    "same_names": "two elements of one name",
 }
 """Files that are so on purpose, and what EMF's validation has against them."""
 USED = [

@@ -66,3 +66,14 @@ def test_an_opposite_of_one_side_is_a_finding(tmp_path: Path) -> None:
     one = tmp_path / "one.ecore"
     one.write_text((SPLIT / "g.ecore").read_text().replace(' eOpposite="#//Edge/source"', ""))
     assert [finding.rule for finding in lint(one, load_metamodels([one]))] == ["RS607"]
+
+
+def test_elements_of_one_name_are_findings_once() -> None:
+    path = Path(__file__).parent / "several" / "same_names.ecore"
+    found = Metamodel.load(path).findings
+    assert [(each.location.line, each.element) for each in found if each.location is not None] == [
+        (6, "n.A.x"),
+        (8, "n.B"),
+        (9, "n.C.x"),
+    ]
+    assert {each.rule for each in found} == {"RS607"}

@@ -32,6 +32,15 @@ def shelf() -> EmfModel:
     return EmfModel.load(CASE / "shelf.xmi", CASE / "shelf.ecore", "S")
 
 
+def test_a_model_is_not_saved_over_a_metamodel(shelf: EmfModel, tmp_path: Path) -> None:
+    path = tmp_path / "shelf.ecore"
+    path.write_bytes((CASE / "shelf.ecore").read_bytes())
+    with pytest.raises(ModelError, match="is no element of a metamodel"):
+        shelf.save(path)
+    assert path.read_bytes() == (CASE / "shelf.ecore").read_bytes()
+    EmfModel.load(path).save()
+
+
 def names(elements: Any) -> list[str]:
     """What they are called."""
     return [x.name for x in elements]

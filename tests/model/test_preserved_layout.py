@@ -56,6 +56,20 @@ def test_a_model_without_comments_is_as_emf_writes_it_in_another_place(case: Pat
     assert (tmp_path / "m.xmi").read_bytes() == before
 
 
+def test_an_edit_of_one_of_several_roots_changes_its_line(tmp_path: Path) -> None:
+    (tmp_path / "m.xmi").write_bytes(before := (LAYOUTS / "several_roots.xmi").read_bytes())
+    model = opened(tmp_path / "m.xmi")
+    model.Group.all[1].name = "c"
+    model.Group.all[0].nodes[0].weight = 2
+    model.save()
+    assert changed(before, (tmp_path / "m.xmi").read_bytes()) == [
+        """-     <nodes weight="1" name="n1" xmi:id="_1"/>""",
+        """+     <nodes weight="2" name="n1" xmi:id="_1"/>""",
+        """-  <g:Group xmi:id="_b" name='b'/>""",
+        """+  <g:Group xmi:id="_b" name="c"/>""",
+    ]
+
+
 def rename(m: Any) -> None:
     m.Node.all[1].name = "ß"
 

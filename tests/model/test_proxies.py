@@ -54,6 +54,8 @@ def test_a_missing_neighbour_leaves_proxies_that_are_saved(folder: Path) -> None
     assert proxy_uri(edge.source) == "ok.xmi#//@groups.0/@nodes.1"
     assert (edge.source.name, isinstance(edge.source, model.Node), model.Node.all) == (None, True, [])
     assert rules(model) == [("RS609", 4)]
+    with pytest.raises(ModelError, match="stands for an element that was not found"):
+        edge.source.name = "lost"
     edge.name = "renamed"
     model.save()
     assert (folder / "w.xmi").read_bytes() == before.replace(b'"x"', b'"renamed"')

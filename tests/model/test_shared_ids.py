@@ -36,7 +36,7 @@ def test_they_are_read_with_a_finding_and_stay_as_they_are(file: Path) -> None:
     assert facts(model) == [("Gears", "Ada", True), ("Zap", None, False), ("Last", None, False)]
     (finding,) = model.findings
     assert (finding.rule, finding.location and finding.location.line) == ("RS613", 5)
-    assert "'b1' is used twice" in finding.message
+    assert finding.message == "the id 'b1' is used twice: references lead to the first element, in Eclipse EMF to the last"
     model.save()
     assert file.read_bytes() == HALL.read_bytes()
     with pytest.raises(ModelError, match=r"hall\.xmi:5: the id 'b1' is used twice"):

@@ -64,6 +64,10 @@ def test_what_is_taken_out_may_be_put_somewhere_else() -> None:
         lambda m, r: setattr(m, "root", None),
         lambda m, r: setattr(r, "x_a", r),
         lambda m, r: setattr(r, "a_q:a", "1"),
+        lambda m, r: setattr(r, "a_x", [1]),
+        lambda m, r: setattr(r, "a_x", r),
+        lambda m, r: setattr(r, "text", ["a"]),
+        lambda m, r: setattr(r, "name", "s"),
         lambda m, r: setattr(r, "a_xmlns:", "1"),
     ],
 )
@@ -133,6 +137,26 @@ def test_namespaces_are_declared_by_attributes_as_in_dom() -> None:
     ]  # fmt: skip
     with pytest.raises(ModelError, match="cannot be changed"):
         again.root.a_xmlns = "u:other"
+
+
+def test_a_change_of_the_list_of_a_reference_is_one_of_the_attribute() -> None:
+    model: Any = XmlModel.parse(b'<r><p id="1"/><p id="2"/><p/><q to="2"/></r>')
+    model.bind("q", "to", "p", "id", many=True)
+    (q,) = model.t_q.all
+    q.x_to.append(model.t_p.all[0])
+    assert q.a_to == "2, 1"
+    q.x_to.remove(model.t_p.all[1])
+    assert q.a_to == "1"
+    with pytest.raises(ModelError, match="with an identity"):
+        q.x_to.append(model.t_p.all[2])
+    assert q.a_to == "1"
+
+
+def test_epsilons_names_of_what_is_around_an_element() -> None:
+    model: Any = XmlModel.parse(FEED)
+    (creator,) = model["t_dc:creator"].all
+    assert (creator.name, creator.parent.name, model.root.parent) == ("creator", "item", None)
+    assert [each.name for each in model.root.descendants] == ["item", "creator", "creator"]
 
 
 def test_references_are_set() -> None:

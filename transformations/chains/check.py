@@ -97,7 +97,9 @@ def _checked(file: Path, metamodels: Sequence[Path], target: str | None) -> Chec
             fix="leave it out: a plan has its target; for another one: robosmi migrate OUT --target NAME -o NEW",
         )
     if metamodels:
-        return _validated(done, [open_model(file, "emf", metamodel=Metamodel.load(*metamodels))])
+        metamodel = Metamodel.load(*metamodels)
+        done.findings += metamodel.findings
+        return _validated(done, [open_model(file, "emf", metamodel=metamodel)])
     if is_drawing(file):
         read = drawing_for(file, done.project.roles, target)
         done.findings += read.findings

@@ -83,10 +83,12 @@ def run(arguments: _Arguments) -> Report:
     driver = arguments.driver or ("emf" if arguments.metamodels else None)
     if arguments.metamodels and driver != "emf":
         raise UsageError(f"the driver '{driver}' takes no metamodel", fix="omit --metamodel, or use the driver emf")
-    options = {"metamodel": Metamodel.load(*arguments.metamodels)} if arguments.metamodels else {}
+    metamodel = Metamodel.load(*arguments.metamodels) if arguments.metamodels else None
+    options = {} if metamodel is None else {"metamodel": metamodel}
     models = [open_model(arguments.model, driver, "M", **options)]
     models += [open_model(path, name=name) for name, path in others.items()]
-    report.findings = [finding for model in models if isinstance(model, EmfModel) for finding in model.findings]
+    report.findings = [] if metamodel is None else list(metamodel.findings)
+    report.findings += [finding for model in models if isinstance(model, EmfModel) for finding in model.findings]
     views = [ModelView(model) for model in models]
     shown = Shown()
     with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's

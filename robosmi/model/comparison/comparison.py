@@ -20,6 +20,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
 from robosmi.model.comparison.facts import Facts, compared, follows, is_compared, plain
 from robosmi.model.comparison.matching import Matching
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model, label
 from robosmi.model.elements.ecore import EObject
 from robosmi.model.emf import EmfModel
@@ -202,13 +203,13 @@ class ModelComparison:
         return [self._after.end(each, self._before) for each in before], [self._after.end(each, self._after) for each in others]
 
 
-def compare(before: str | Path | Model, after: str | Path | Model, metamodel: Paths = ()) -> ModelComparison:
+def compare(before: str | Path | Model, after: str | Path | Model, metamodel: Paths | Metamodel = ()) -> ModelComparison:
     """What is different about two models.
 
     Args:
         before: a model of EMF, or its file: XMI, JSON or .ecore.
         after: the other.
-        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+        metamodel: .ecore files of models that are given as files, or a `Metamodel`; the built-in metamodels if none.
 
     Raises:
         SourceError: a file cannot be read.
@@ -217,12 +218,12 @@ def compare(before: str | Path | Model, after: str | Path | Model, metamodel: Pa
     return ModelComparison(*opened_models((before, after), metamodel))
 
 
-def opened_models(given: Iterable[str | Path | Model], metamodel: Paths = ()) -> list[EmfModel]:
+def opened_models(given: Iterable[str | Path | Model], metamodel: Paths | Metamodel = ()) -> list[EmfModel]:
     """Models of EMF: those that are given, and those of given files, which are opened in one session.
 
     Args:
         given: models and files.
-        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+        metamodel: .ecore files of models that are given as files, or a `Metamodel`; the built-in metamodels if none.
 
     Raises:
         SourceError: a file cannot be read.

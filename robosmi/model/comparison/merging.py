@@ -18,6 +18,7 @@ from robosmi.model.comparison.merged_features import FeaturesMerge
 from robosmi.model.comparison.merged_model import MergeDecisions, merge_into
 from robosmi.model.comparison.merged_places import PlacesMerge
 from robosmi.model.comparison.versions import A, B, ThreeModels
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Paths
@@ -92,7 +93,11 @@ class ModelMerge:
 
 
 def merge(
-    base: str | Path | Model, a: str | Path | Model, b: str | Path | Model, take: Side | None = None, metamodel: Paths = ()
+    base: str | Path | Model,
+    a: str | Path | Model,
+    b: str | Path | Model,
+    take: Side | None = None,
+    metamodel: Paths | Metamodel = (),
 ) -> ModelMerge:
     """Merge what two models made of one.
 
@@ -101,7 +106,7 @@ def merge(
         a: the first; given as a model, it becomes the merged one.
         b: the second.
         take: the side that wins conflicts.
-        metamodel: .ecore files of models that are given as files; the built-in metamodels if none.
+        metamodel: .ecore files of models that are given as files, or a `Metamodel`; the built-in metamodels if none.
 
     Raises:
         SourceError: a file cannot be read.

@@ -1,7 +1,7 @@
-"""What is odd in .ecore files that can be read all the same: bounds and opposites that no model can fulfil, misspelt features.
+"""What is odd in .ecore files that can be read all the same: bounds, opposites and names that contradict, misspelt features.
 
-EMF's validation reports the same of bounds and opposites, and its loader refuses unknown attributes and elements; here they
-would be read over, and the model would be blamed.
+EMF's validation reports the same of bounds, opposites and names, and its loader refuses unknown attributes and elements; here
+they would be read over, and the model would be blamed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import did_you_mean
-from robosmi.model.ecore.ecore_description import Class, Feature, Package
+from robosmi.model.ecore.ecore_description import Class, Classifier, Feature, Package
 from robosmi.model.ecore.ecore_files import EcoreFiles
 from robosmi.model.ecore.ecore_xml import EcoreNode
 
@@ -74,7 +74,42 @@ def lint(path: Path, packages: Sequence[Package]) -> list[Finding]:
     Raises:
         SourceError: the file cannot be read.
     """
-    return [*_unknown_names(path, EcoreFiles().load(path).roots), *_contradictions(packages)]
+    return [*_unknown_names(path, EcoreFiles().load(path).roots), *contradictions(packages)]
+
+
+def contradictions(packages: Sequence[Package]) -> list[Finding]:
+    """What no model can fulfil, or two elements of one name between which none can choose; the same, whatever file says it."""
+    described = [package for root in packages for package in root.walk()]
+    found = [finding for package in described for finding in _twice(package.classifiers, f"the package '{package.path}'")]
+    classes = [each for package in described for each in package.classifiers if isinstance(each, Class)]
+    clashes: set[tuple[int, int]] = set()  # a subclass says nothing of what its supertypes have twice
+    for cls in sorted(classes, key=lambda each: len(each.ancestors())):
+        features = [feature for owner in (*cls.ancestors(), cls) for feature in owner.features]
+        found += _twice(features, f"the class '{cls.path}'", clashes)
+        found += [finding for feature in cls.features for finding in _of_feature(feature)]
+    return sorted(found, key=_place)
+
+
+def _place(finding: Finding) -> tuple[str, int]:
+    place = finding.location
+    return (place.path, place.line or 0) if place is not None else ("", 0)
+
+
+def _twice(elements: Sequence[Classifier | Feature], owner: str, clashes: set[tuple[int, int]] | None = None) -> list[Finding]:
+    """Elements with the name of one before them."""
+    found = []
+    first: dict[str, Classifier | Feature] = {}
+    for element in elements:
+        other = first.setdefault(element.name, element)
+        clash = (id(other), id(element))
+        if other is element or (clashes is not None and clash in clashes):
+            continue
+        if clashes is not None:
+            clashes.add(clash)
+        what = f"'{other.path}' and '{element.path}'" if other.path != element.path else f"two '{element.path}'"
+        message = f"{owner} has two elements of one name: {what}"
+        found.append(_finding(message, element.location, "rename one of them", element))
+    return found
 
 
 def _unknown_names(path: Path, nodes: Iterable[EcoreNode]) -> Iterator[Finding]:
@@ -101,14 +136,6 @@ def _unknown_names(path: Path, nodes: Iterable[EcoreNode]) -> Iterator[Finding]:
             yield from _unknown_names(path, [child for child in node.children if child.tag in parts])
 
 
-def _contradictions(packages: Sequence[Package]) -> Iterator[Finding]:
-    for root in packages:
-        for package in root.walk():
-            for classifier in package.classifiers:
-                for feature in classifier.features if isinstance(classifier, Class) else ():
-                    yield from _of_feature(feature)
-
-
 def _of_feature(feature: Feature) -> Iterator[Finding]:
     if 0 <= feature.upper < feature.lower:
         message = f"'{feature.path}' has at least {feature.lower} values and at most {feature.upper}: no model has both"
@@ -126,5 +153,5 @@ def _of_feature(feature: Feature) -> Iterator[Finding]:
         yield _finding(message, feature.location, "let the type be the class that has the opposite", feature)
 
 
-def _finding(message: str, location: Location, fix: str, feature: Feature | None = None) -> Finding:
-    return Finding(RULE, Severity.warning, message, location, feature.path if feature is not None else None, fix)
+def _finding(message: str, location: Location, fix: str, element: Classifier | Feature | None = None) -> Finding:
+    return Finding(RULE, Severity.warning, message, location, element.path if element is not None else None, fix)

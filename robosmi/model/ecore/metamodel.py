@@ -16,6 +16,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeAlias
 
+from robosmi.diagnostics import Finding
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.ecore.metamodels import Metamodels
 from robosmi.model.elements import ecore
@@ -52,6 +53,8 @@ class Metamodel(Metamodels):
                 make_strict(package)
         self.epackages = [p if is_element(p) else _generated(p) for p in self.packages]
         self._index: dict[str, EClassifier] = {}
+        self.findings: list[Finding] = []
+        """What is odd in the .ecore files that it was loaded from."""
 
     @classmethod
     def load(cls, *paths: str | Path) -> Metamodel:
@@ -66,12 +69,16 @@ class Metamodel(Metamodels):
             ModelError: it is no metamodel, or contradicts Ecore; all problems in one message.
         """
         from robosmi.model.ecore.ecore_classes import make_packages
+        from robosmi.model.ecore.ecore_lint import contradictions
         from robosmi.model.ecore.ecore_loader import load_metamodels
         from robosmi.model.ecore.metamodel_files import means_ecore, metamodel_files
 
         files = [path for path in paths if not means_ecore(path)]
         own = cls.ecore().packages if len(files) < len(paths) else []
-        return cls([*make_packages(load_metamodels(metamodel_files(files))), *own])
+        described = load_metamodels(metamodel_files(files))
+        loaded = cls([*make_packages(described), *own])
+        loaded.findings = contradictions(described)
+        return loaded
 
     @classmethod
     def ecore(cls) -> Metamodel:

@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from robosmi.errors import ModelError
 from robosmi.model.elements.compact_slots import prepare
-from robosmi.model.elements.ecore import EObject
+from robosmi.model.elements.ecore import EAttribute, EObject, EReference
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.structure import root_of
@@ -120,9 +120,19 @@ def _roots(target: EObject) -> list[Any]:
 def _class(cls: Any) -> Any:
     """The class of proxies for elements of a class; being a subclass, they are accepted wherever it is."""
     quiet: Any = type("Quiet", (cls.__class__,), {"__init__": type.__init__})  # it becomes part of no metamodel
-    made = quiet(cls.__name__, (cls,), {"__repr__": _shown, "__module__": cls.__module__})
+    made = quiet(cls.__name__, (cls,), {"__repr__": _shown, "__setattr__": _set, "__module__": cls.__module__})
     prepare(made)
     return made
+
+
+def _set(self: EObject, name: str, value: object) -> None:
+    feature = getattr(type(self), name, None)
+    if isinstance(feature, EAttribute) or (isinstance(feature, EReference) and feature.eOpposite is None):
+        raise ModelError(
+            f"{self!r} stands for an element that was not found, so '{name}' cannot be set",
+            fix="let the reference lead to an element of a file that is there",
+        )
+    super(type(self), self).__setattr__(name, value)
 
 
 def _shown(self: EObject) -> str:

@@ -26,14 +26,14 @@ from robosmi.base.template_files import TemplateFiles
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.files.commit import update
-from robosmi.model.ecore.ecore_description import ECORE, Class, DataType, DescribedElement, Enumeration, Package, is_known
+from robosmi.model.ecore.ecore_description import ECORE, Class, DataType, DescribedElement, Enumeration, Package
 from robosmi.model.ecore.ecore_loader import MetamodelError, Problem, load_metamodels
 from robosmi.model.ecore.linearise import bases, topological
 from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.python_names import python_name
 from robosmi.model.generator.package_cycles import Cycles
 from robosmi.model.generator.package_names import PackageNames
-from robosmi.model.generator.package_types import MAP_ENTRY, Notes
+from robosmi.model.generator.package_types import MAP_ENTRY, Notes, is_base
 from robosmi.model.generator.package_view import Mixins, PackageView, view_of
 
 MIXINS = "mixins.py"
@@ -259,11 +259,11 @@ def _twice(owner: str, what: str, elements: Sequence[DescribedElement]) -> Itera
 def _class(cls: Class) -> Iterator[Problem]:
     yield from _twice(f"class '{cls.path}'", "feature", cls.features)
     for base in cls.supertypes:
-        if is_known(base) and base.name != "EObject":
+        if base.name != "EObject" and not is_base(base):
             yield Problem(
                 "a class inherits from one of Ecore's own", cls.location,
                 f"'{cls.path}' inherits from {base.package.name}.{base.name}, which pyecore keeps for metamodels",
-                "load the .ecore file instead: Metamodel.load; or inherit from EObject or a class of your own",
+                "load the .ecore file instead: Metamodel.load; or inherit from EModelElement, ENamedElement or EObject",
             )  # fmt: skip
     for feature in cls.features:
         kind = feature.classifier

@@ -29,6 +29,8 @@ from robosmi.model.strict_package import XML_JAVA, python_type
 STRICT = "robosmi.model.strict"
 PARTS = "robosmi.model.strict_package"
 MAP_ENTRY = "EStringToStringMapEntry"
+_BASES = {"EModelElement": "AnnotatedBase", "ENamedElement": "NamedBase"}
+"""The classes of Ecore, beside EObject, that a generated class may inherit from -> what stands for them in Python."""
 
 _ECORE_TYPES = {
     "EString": "str", "EChar": "str", "ECharacterObject": "str",
@@ -77,6 +79,16 @@ def _java(kind: DataType) -> str:
     if is_known(kind) and kind.package is not ECORE:
         return XML_JAVA.get(kind.name, "java.lang.String")
     return kind.instance_class
+
+
+def is_base(kind: Class) -> bool:
+    """Whether a class is a base of generated classes: any but EObject, which all have."""
+    return not is_known(kind) or (kind.package is ECORE and kind.name in _BASES)
+
+
+def base_name(kind: Class, scope: Scope, when: str = "run") -> str:
+    """The local name of a base class."""
+    return scope.symbol(PARTS, _BASES[kind.name], when) if is_known(kind) else scope.classifier(kind, when, inside=False)
 
 
 def value_type(kind: Classifier) -> str:

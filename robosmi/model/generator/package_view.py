@@ -29,7 +29,7 @@ from robosmi.model.ecore.source_text import assignment, call, docstring, imports
 from robosmi.model.generator.package_cycles import Cycles
 from robosmi.model.generator.package_members import ClassMembers
 from robosmi.model.generator.package_names import PackageNames, Scope
-from robosmi.model.generator.package_types import PARTS, STRICT, Notes, is_feature_map, pyecore_type
+from robosmi.model.generator.package_types import PARTS, STRICT, Notes, base_name, is_base, is_feature_map, pyecore_type
 
 Mixins = Mapping[str, Mapping[str, frozenset[str]]]
 """Module path with slashes -> name of a class -> names that the person's `mixins.py` defines for it."""
@@ -141,9 +141,9 @@ def view_of(
 
 def _header(cls: Class, bases: list[Class], late: bool, mixin: bool, scope: Scope, names: PackageNames) -> str:
     arguments = [scope.symbol(".mixins", f"{names[cls]}Mixin")] if mixin else []
-    own = [base for base in bases if not is_known(base)]
+    own = [base for base in bases if is_base(base)]
     when = "typing" if late else "run"
-    arguments += [scope.classifier(base, when, inside=False) for base in own] or [scope.symbol(STRICT, "Element")]
+    arguments += [base_name(base, scope, when) for base in own] or [scope.symbol(STRICT, "Element")]
     if late or not own:
         arguments.append(f"metaclass={scope.symbol(PARTS, 'MetaEClass')}")
     return call(f"class {names[cls]}", arguments, "", ":")
@@ -157,9 +157,9 @@ def _decorators(cls: Class, bases: list[Class], late: bool, scope: Scope, names:
         found.append(f"@{scope.symbol(PARTS, 'abstract')}")
     if names[cls] != cls.name:
         found.append(f"@{scope.symbol(PARTS, 'named')}({string(cls.name)})")
-    own = [base for base in cls.supertypes if not is_known(base)]
-    if not late and own != [base for base in bases if not is_known(base)]:
-        arguments = [scope.classifier(base, inside=False) for base in own]
+    own = [base for base in cls.supertypes if is_base(base)]
+    if not late and own != [base for base in bases if is_base(base)]:
+        arguments = [base_name(base, scope) for base in own]
         found.append(call(f"@{scope.symbol(PARTS, 'supertypes')}", arguments, ""))
     return found
 
@@ -275,10 +275,10 @@ class Links:
         own = self._names[cls]
         if late_bases is not None:
             bases = [self._scope.symbol(".mixins", f"{own}Mixin")] if mixin else []
-            bases += [self._late(base) for base in late_bases if not is_known(base)]
+            bases += [self._late(base) for base in late_bases if is_base(base)]
             self._heads.append(call(self._scope.symbol(PARTS, "inherit", "link"), [own, *bases], self._indent))
             if late_bases != cls.supertypes:
-                order = ", ".join(self._late(base) for base in cls.supertypes if not is_known(base))
+                order = ", ".join(self._late(base) for base in cls.supertypes if is_base(base))
                 self._heads.append(f"{self._scope.symbol(PARTS, 'supertypes', 'link')}({order})({own})")
         for feature in cls.features:
             if is_feature_map(feature):
@@ -299,6 +299,8 @@ class Links:
 
     def _late(self, base: Class) -> str:
         """An expression for a base class by its full path, since its plain name is used for something else in the module."""
+        if is_known(base):
+            return base_name(base, self._scope, "link")
         if base.package is self._package:
             return self._names[base]
         module = self._scope.relative(base.package)

@@ -209,7 +209,7 @@ class _Merge:
         matched = self.matched(old, new)
         pending: dict[bytes, list[TextElement]] = {}
         for child in new.children:
-            if child.tag not in file.attributes or not self.same_children(child.tag, old, new):
+            if child.tag not in file.attributes or not self.same_children(child.local, old, new):
                 pending.setdefault(child.tag, []).append(child)
         last_of = {child.local: child for child in file.children if id(child) in of_old}
         sample = file.children[0] if file.children else None
@@ -251,8 +251,8 @@ class _Merge:
     def aligned(self, file: TextElement, old: TextElement, new: TextElement) -> dict[int, TextElement]:
         """The file's children -> what we write for them; by name and place among those of the name."""
         found: dict[int, TextElement] = {}
-        for tag in dict.fromkeys(child.tag for child in old.children):
-            ours = [child for child in old.children if child.tag == tag]
+        for tag in dict.fromkeys(child.local for child in old.children):  # of several roots each has its prefix
+            ours = [child for child in old.children if child.local == tag]
             theirs = [child for child in file.children if child.local == tag]
             if len(ours) == len(theirs):
                 found |= {id(their): our for their, our in zip(theirs, ours, strict=True)}
@@ -262,8 +262,8 @@ class _Merge:
 
     def same_children(self, tag: bytes, old: TextElement, new: TextElement) -> bool:
         """Whether the children of a tag are the same before and now."""
-        before = [self.old.of(child) for child in old.children if child.tag == tag]
-        return before == [self.new.of(child) for child in new.children if child.tag == tag]
+        before = [self.old.of(child) for child in old.children if child.local == tag]
+        return before == [self.new.of(child) for child in new.children if child.local == tag]
 
     def matched(self, old: TextElement, new: TextElement) -> dict[int, TextElement]:
         """The children as they were -> the same as they are."""

@@ -48,7 +48,7 @@ class Column:
         upper: its upper bound, negative for none.
         default: the value that is not written.
         convert: value -> text.
-        plain: the Python class of values whose attributes are kept in `rendered`, or None.
+        plain: the Python class of values that are texts or whose attributes are kept in `rendered`, or None.
         rendered: what is written for values met before; for contained elements: their class -> the beginning of the start tag.
         declared: the EClass of contained or referred elements.
         names_types: whether a reference to another file names the target's class.
@@ -150,7 +150,7 @@ def _column(eclass: EClass, feature: EStructuralFeature) -> Column | None:
     column.is_primitive = datatypes.is_primitive(kind)
     if isinstance(kind, ecore.EEnum):
         column.plain = ecore.EEnumLiteral
-    else:
+    elif not column.is_unsettable:
         column.plain = _PLAIN.get(kind.name) if features.is_of_ecore(kind) else None
     if not feature.many:
         try:

@@ -85,8 +85,10 @@ class XmiLinker:
 
     def link(self, document: Document) -> None:
         """Resolve the references of a document; `finish` must follow when all documents are linked."""
-        found, ids = self._found[id(document)], document.ids
-        for owner, entry, text, line, whole in document.references:
+        found, ids, waiting = self._found[id(document)], document.ids, document.references
+        waiting.reverse()
+        while waiting:  # each is let go at once: those of a large model take as much memory as its elements
+            owner, entry, text, line, whole = waiting.pop()
             if not entry.many:
                 target = ids.get(text) or found.get(text)
                 if target is None:
@@ -185,7 +187,9 @@ class XmiLinker:
         if entry.back is None:
             compact_slots.note_link(target, (owner, entry.feature))
         else:
-            self._two_sided.append((document, line, owner, entry, [target]))
+            other = target.__dict__.get(key_of(entry.back))  # a file that EMF wrote has both sides; looked at without a call
+            if not (other.__class__ is FeatureOrderedSet and owner in other.map):
+                self._two_sided.append((document, line, owner, entry, [target]))
 
     def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[EObject]) -> None:
         slots = owner.__dict__
@@ -213,6 +217,11 @@ class XmiLinker:
             key, many = key_of(back), back.many
             for target in targets:
                 slot = target.__dict__.get(key)
+                if slot.__class__ is ReferenceValue:
+                    if target_in(slot) is owner:  # a file that EMF wrote has both sides
+                        continue
+                elif slot.__class__ is FeatureOrderedSet and owner in slot.map:
+                    continue
                 if many:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
@@ -222,7 +231,7 @@ class XmiLinker:
                     target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
                     if (id(owner), id(target)) in self._kept:
                         preserve_link(target, key, owner, None, True)
-                elif target_in(slot) is not owner:  # a file that EMF wrote has both sides
+                elif target_in(slot) is not owner:
                     other = shown(target_in(slot))
                     self._wrong(
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"

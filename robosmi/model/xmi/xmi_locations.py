@@ -35,6 +35,8 @@ from robosmi.model.elements.pyecore_internals import (
 )
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
+is_plain_id = re.compile(r"[A-Za-z0-9_.-]+").fullmatch
+"""Whether a text is an id as nearly all are: an address as it is, and without markup."""
 _NOT_IN_PATHS = re.compile(r"(?![A-Za-z0-9/_.!~*'()@=+$,;-])[\x00-\x9f]")  # as EMF's URI.createFileURI, but for & and :
 
 
@@ -115,14 +117,16 @@ class XmiLocations:
 
     def _by_id(self, target: EObject) -> tuple[str, str] | None:
         """File and id of a target whose container has a known address, or None: a path that is not written is not built."""
-        if isinstance(target, (type, ecore.EModelElement)):
-            return None
         container = container_of(target)
         around = self._known.get(id(container))
-        if container is None or around is None:
+        if container is None or around is None or isinstance(target, (type, ecore.EModelElement)):
             return None
-        identity, feature = self.identity(target), containing_feature_of(target)
-        if identity is None or feature is None or identity in self.shared_ids or _ODD_ID.search(identity):
+        identity, feature = xmi_id_of(target), containing_feature_of(target)
+        if identity.__class__ is not str:
+            identity = self.identity(target)
+        if identity is None or feature is None or identity in self.shared_ids:
+            return None
+        if not is_plain_id(identity) and _ODD_ID.search(identity):
             return None
         step = self._steps.get(feature) or self._step_of(feature)
         slot = container.__dict__.get(step.key)

@@ -306,7 +306,7 @@ class _Reader:
             if self.strict:
                 problem(line, f"the id '{identity}' is used twice")
             else:
-                said = f"the id '{identity}' is used twice: references to it lead to its first element"
+                said = f"the id '{identity}' is used twice: references lead to the first element, in Eclipse EMF to the last"
                 fix = "give each element an id of its own"
                 self.odd.add(SHARED_ID, (place,), Location(place, line), said, fix)
         return document

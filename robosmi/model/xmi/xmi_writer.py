@@ -16,13 +16,14 @@ from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import UNBOXED_TYPES, collector_at_rest
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
+from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.proxies import AS_READ, as_read, proxy_uri
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.written_file import WrittenFile
 from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column
-from robosmi.model.xmi.xmi_locations import Unplaced, XmiLocations, metamodel_uri, relative, shown
-from robosmi.model.xmi.xml_characters import in_attribute, in_text, refuse_forbidden
+from robosmi.model.xmi.xmi_locations import Unplaced, XmiLocations, is_plain_id, metamodel_uri, relative, shown
+from robosmi.model.xmi.xml_characters import in_attribute, in_text, markup_in_attribute, refuse_forbidden
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Value
@@ -88,6 +89,9 @@ class _Writer(WrittenFile):
             from robosmi.model.xmi.ecore_writer import EcoreText  # few files are metamodels
 
             return EcoreText(self.metamodel_link, self.metamodel_text).write(self.roots)
+        if self.name.endswith(".ecore") and (other := [root for root in self.roots if not isinstance(root, ecore.EModelElement)]):
+            what = f"{self.name}: {shown(other[0])} is no element of a metamodel, and an .ecore file holds a metamodel"
+            raise ModelError(what, fix="save the model as an .xmi file")
         if len(self.roots) == 1:
             tag = self.name_of(self.roots[0].eClass)
             body = self.elements([("", tag, self.roots[0])], "")
@@ -139,8 +143,9 @@ class _Writer(WrittenFile):
         done: list[bytes] = []
         out: list[str] = []
         append = out.append
-        layouts, nested = self.layouts.known, self.places.nested
-        held, inside, xmi_id, local = value_in, container_of, xmi_id_of, self.local  # local names are faster
+        layouts, nested, ids = self.layouts.known, self.places.nested, self.ids
+        held, inside, xmi_id, local, is_plain = value_in, container_of, xmi_id_of, self.local, is_plain_id  # for speed
+        has_markup = markup_in_attribute
         stack: list[tuple[Iterator[Piece], str, str]] = []
         work: Iterator[Piece] = iter(roots)
         while True:
@@ -150,16 +155,23 @@ class _Writer(WrittenFile):
                     continue
                 opening, tag, element = item
                 layout = layouts.get(element.__class__) or self.layouts.of(element)
-                append(f"{indent}{opening}")
                 slots = element.__dict__
-                if layout.has_id or xmi_id(element) is not None:
-                    self.identify(element, append)
+                identity = xmi_id(element)
+                if identity.__class__ is str and is_plain(identity) and ids.setdefault(identity, element) is element:
+                    append(f'{indent}{opening} xmi:id="{identity}"')
+                else:
+                    append(f"{indent}{opening}")
+                    if layout.has_id or identity is not None:
+                        self.identify(element, append)
                 later: list[Piece] | None = None
                 for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
                     slot = slots[key]
                     if kind == VALUE:
                         value = slot if slot.__class__ in UNBOXED_TYPES else held(slot)
-                        if value.__class__ is plain and (text := rendered.get(value)) is not None:
+                        if value.__class__ is str and plain is str and not has_markup(value):
+                            if value != column.default:
+                                append(f'{column.start}{value}"')
+                        elif value.__class__ is plain and (text := rendered.get(value)) is not None:
                             append(text)
                         else:
                             later = self.value(element, column, value, append, indent, later)
@@ -327,7 +339,7 @@ class _Writer(WrittenFile):
     ) -> list[Piece] | None:
         """References: fragments in an attribute if all lead into this file, else elements with hrefs."""
         target = None if column.many else target_in(slot)
-        many = slot.items if isinstance(slot, EOrderedSet) else slot
+        many = slot.items if slot.__class__ is FeatureOrderedSet or isinstance(slot, EOrderedSet) else slot
         targets: Sequence[EObject] = many if column.many else () if target is None else (target,)
         if AS_READ in element.__dict__:
             links = (as_read(element, column.key, real(each)) for each in targets)
@@ -341,10 +353,15 @@ class _Writer(WrittenFile):
             if fragment is None:
                 if id(target) in self.elsewhere:
                     break
-                file, fragment = self.located(element, column, real(target))  # kept in `local`
-                if file != self.name:
-                    break
-                fragment = local[id(target)] = in_attribute(fragment)
+                found = real(target)
+                identity = xmi_id_of(found)
+                if identity.__class__ is str and self.ids.get(identity) is found and is_plain_id(identity):
+                    fragment = local[id(target)] = identity  # of an element that is written already
+                else:
+                    file, fragment = self.located(element, column, found)  # kept in `local`
+                    if file != self.name:
+                        break
+                    fragment = local[id(target)] = in_attribute(fragment)
             fragments.append(fragment)
         else:
             if fragments:

@@ -21,6 +21,8 @@ _AS_REFERENCE = re.compile(rb"&#(?:[xX]0*241[bB]|0*9243);")
 _OTHER_ENCODING = re.compile(rb"[^>]*encoding\s*=\s*[\"'](?![uU][tT][fF]-?8[\"'])")
 _MARKUP = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "\n": "&#xA;", "\t": "&#x9;", "\r": "&#xD;", "]]>": "]]&gt;"}
 _IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{_SYMBOL}{_FORBIDDEN}]')
+markup_in_attribute = _IN_ATTRIBUTE.search
+"""What a text has that does not stand between the quotes of an attribute as it is, or None."""
 _IN_TEXT = re.compile(f'[&<"\r{_SYMBOL}{_FORBIDDEN}]|]]>')
 
 
