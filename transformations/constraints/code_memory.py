@@ -109,7 +109,7 @@ def _differs(size: ccode.SizeOf) -> str:
     if isinstance(size.operand, ccode.NameReference) and isinstance(size.operand.target, ccode.Parameter) and use.arrayDims:
         return ""  # the type that is declared is not the one that is measured
     before, after = here.of(use), there.of(use)
-    if before is None or after is None or before == after or _keeps_bytes(use.declaration):
+    if before is None or after is None or before == after or _keeps_bytes(record_of(use) or use.declaration):
         return ""
     return f"{str(use.spelling).strip()} has {after} bytes, not {before}"
 
@@ -136,8 +136,6 @@ def _sizes(record: ccode.Record) -> str:
 
 def _keeps_bytes(declared: ccode.Declaration | None) -> bool:
     """Whether the plan gives a type the bytes that it has on the source; pointers in it have another size all the same."""
-    if isinstance(declared, ccode.Typedef) and declared.aliased is not None:
-        declared = declared.aliased.declaration
     kept = the_move().with_same_bytes
     if not isinstance(declared, ccode.Record):
         return id(declared) in kept
