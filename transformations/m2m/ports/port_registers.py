@@ -16,6 +16,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.m2m.ports.port_texts import BY_REGISTER
 from robosmi.transformations.queries.circuits.circuit import pin_literal
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.plans.port_pins import bound_pin
 from robosmi.transformations.queries.ports.port_statements import (
     HIGH,
@@ -172,9 +173,24 @@ def _reads(statement: PortStatement) -> bool:
     return all(step.what in (READ, CONVERT) for step in statement.steps)
 
 
+def _is_asked(value: ccode.Expression) -> bool:
+    """Whether only that a value is zero or not counts."""
+    outer = value.eContainer()
+    if isinstance(outer, (ccode.If, ccode.Loop, ccode.ConditionalExpression)):
+        return outer.condition is value
+    if isinstance(outer, (ccode.Unary, ccode.Binary)):
+        return outer.operator in ("!", "&&", "||")
+    use = outer.valueType if isinstance(outer, ccode.Variable) else None
+    if isinstance(outer, ccode.Assignment) and outer.operator == "=":
+        use = named_type(outer.left)
+    return use is not None and str(use.canonical) == "bool"
+
+
 def _call(step: PinStep, literal: str, statement: PortStatement, value: str) -> str:
     filled = {"pin": literal, "bit": str(step.bit), "handler": statement.handler, "value": value}
-    return re.sub(r"\{(pin|bit|handler|value)\}", lambda found: filled[found[1]], _CALLS[step.what])
+    alone = len(statement.steps) == 1 and _is_asked(statement.element)
+    what = IS_SET if step.what == READ and (not step.bit or alone) else step.what
+    return re.sub(r"\{(pin|bit|handler|value)\}", lambda found: filled[found[1]], _CALLS[what])
 
 
 def _value(value: ccode.Expression | None, change: _Change, changes: Sequence[_Change], sources: Mapping[str, bytes]) -> str:

@@ -5,7 +5,7 @@ void setup() {
 void loop() {
   digitalWrite(13, HIGH); PORTD += 3;
   digitalWrite(13, LOW); digitalWrite(4, HIGH); // PORTC
-  if ((digitalRead(2) << 2)) PORTC = PINC + 1;
+  if (digitalRead(2)) PORTC = PINC + 1;
   Serial.println("http://"); PORTD += 1; /* PORTB */
   delay(100);
 }

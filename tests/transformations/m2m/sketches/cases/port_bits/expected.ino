@@ -7,7 +7,7 @@ void setup() {
 }
 
 void loop() {
-  if ((digitalRead(2) << 2)) digitalWrite(12, HIGH);
+  if (digitalRead(2)) digitalWrite(12, HIGH);
   else digitalWrite(12, LOW);
   digitalWrite(13, !digitalRead(13));
   digitalWrite(13, !digitalRead(13));

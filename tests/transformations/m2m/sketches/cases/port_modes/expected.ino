@@ -8,7 +8,7 @@ void loop() {
   digitalWrite(13, HIGH);
   digitalWrite(9, HIGH);
   [](uint8_t bits) { digitalWrite(4, bits >> 4 & 1); }(millis() << 4);
-  byte levels = ((digitalRead(26) << 0) | (digitalRead(27) << 1));
+  byte levels = (digitalRead(26) | (digitalRead(27) << 1));
   if ((((digitalRead(6) << 6) | (digitalRead(7) << 7)) >> 6) == levels) digitalWrite(13, LOW);
   digitalWrite(9, HIGH);
   digitalWrite(13, (levels > 1) ? HIGH : LOW);

@@ -8,6 +8,6 @@ void setup() {
 }
 
 void loop() {
-  if ((digitalRead(2) << 2)) digitalWrite(13, HIGH);
+  if (digitalRead(2)) digitalWrite(13, HIGH);
   else digitalWrite(13, LOW);
 }
