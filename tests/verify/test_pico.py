@@ -75,6 +75,19 @@ def test_the_command_names_the_stand_in(tmp_path: Path) -> None:
     assert "stand-in" in run("compile", CASES / "blink", "--board", "pico", "-o", tmp_path / "made").out
 
 
+def test_a_header_that_a_library_takes_of_the_core_is_no_library_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    require_tools(*TOOLS)
+    for name, text in (("strips/Strips.h", "hardware/pio.h"), ("lit/lit.ino", "Strips.h")):
+        (tmp_path / name).parent.mkdir()
+        (tmp_path / name).write_text(f"#include <{text}>\n")
+    monkeypatch.setenv("ROBOSMI_LIBRARIES", str(tmp_path))
+    missing = next(finding for finding in compile_sketch(tmp_path / "lit", "pico").diagnostics if finding.rule == "RS803")
+    assert missing.fix is not None
+    assert missing.fix.startswith("install the core")
+
+
 def test_no_program_with_the_stand_in_goes_on_a_board(tmp_path: Path) -> None:
     require_tools(*TOOLS)
     made = tmp_path / "made"

@@ -174,9 +174,18 @@ def _compiled_by_core(
         message = f"the core '{found.stand_in}' is not installed; compiled with a stand-in, which is only for checks"
         evidence = {"core": found.stand_in}
         used = Finding(STAND_IN_USED, Severity.info, message, Location(str(sketch.main)), fix=found.install, evidence=evidence)
-        report = replace(report, stand_in_core=found.stand_in, diagnostics=(used, *report.diagnostics))
+        found_there = tuple(_of_the_core(finding, sketch) for finding in report.diagnostics)
+        report = replace(report, stand_in_core=found.stand_in, diagnostics=(used, *found_there))
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
     return replace(report, diagnostics=diagnostics)
+
+
+def _of_the_core(finding: Finding, sketch: Sketch) -> Finding:
+    """The finding; if a library misses a header, which a stand-in for the core does not have, with the advice to install the core."""
+    place = finding.location
+    if finding.rule != MISSING_HEADER or place is None or Path(place.path).resolve().is_relative_to(sketch.folder.resolve()):
+        return finding
+    return replace(finding, fix=f"install the core, whose stand-in has few headers for libraries; else {finding.fix}")
 
 
 def _without_options(board: Board, boards: list[Board], toolchain: Toolchain) -> Board | None:
