@@ -181,7 +181,7 @@ def _compiled_by_core(
 
 
 def _of_the_core(finding: Finding, sketch: Sketch) -> Finding:
-    """The finding; if a library misses a header, which a stand-in for the core does not have, with the advice to install the core."""
+    """The finding; if a library misses a header, with the advice to install the core, whose stand-in may not have it."""
     place = finding.location
     if finding.rule != MISSING_HEADER or place is None or Path(place.path).resolve().is_relative_to(sketch.folder.resolve()):
         return finding

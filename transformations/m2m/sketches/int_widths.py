@@ -10,9 +10,10 @@ Where char has no sign on the target, variables and casts of type char that take
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platforms.returned_values import macros_of_bits, macros_of_operands, returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
@@ -29,6 +30,7 @@ from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
+from robosmi.transformations.queries.portability.kinds import is_of_bytes
 from robosmi.transformations.queries.width_types import retyped_words
 
 TIME, KEPT, KEPT_CHAR, BYTES = "int_time", "int_kept", "char_kept", "bytes_of_object"
@@ -59,7 +61,7 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     if values is None:
         return
     bits, done = sketch.move.source.int_bits, set[tuple[str, int]]()
-    links = TypeLinks(sketch.views, values.uses, lambda each: _written_at(sketch, each, bits))
+    links = TypeLinks(sketch.views, values.uses, lambda each: _written_at(sketch, each, bits), of_bytes(sketch))
     for holder in values.variables:
         group = links.of(holder)
         if group.obstacle is not None:
@@ -158,8 +160,8 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
 def _is_stored(sketch: MovedSketch, held: Declared, values: WrappedValues) -> bool:
     """Whether a variable itself is given to a call that takes its bytes."""
     view_of = {id(view.unit): view for view in sketch.views}
-    return is_free(held) and any(
-        isinstance(use.eContainer(), ccode.Call) and int(use.line) in sketch.lines(BYTES, view_of[id(unit_of(use))])
+    return is_free(held, of_bytes(sketch)) and any(
+        isinstance(use.eContainer(), (ccode.Call, ccode.Cast)) and int(use.line) in sketch.lines(BYTES, view_of[id(unit_of(use))])
         for use in values.uses.of(held)
     )
 
@@ -316,15 +318,29 @@ def _source(sketch: MovedSketch, each: ccode.Declaration) -> tuple[bytes, int]:
     return (sketch.sources[str(unit.path)], int(each.startOffset)) if unit is not None else (b"", 0)
 
 
-def is_free(holder: ccode.Declaration) -> bool:
-    """Whether a type may change: nothing points or refers to the variable as to one of its type."""
+def of_bytes(sketch: MovedSketch) -> frozenset[str]:
+    """The functions that take the bytes of an object of any type."""
+    kind = sketch.kinds[BYTES]
+    return frozenset([*kind.functions, *kind.stores])
+
+
+def is_free(holder: ccode.Declaration, taking: Collection[str] = ()) -> bool:
+    """Whether a type may change: nothing points or refers to the variable as to one of its type.
+
+    Args:
+        holder: the variable.
+        taking: the functions that take the bytes of an object of any type.
+    """
     use = holder.valueType if isinstance(holder, (ccode.Variable, ccode.Parameter)) else None
-    array = use is not None and bool(use.arrayDims)
+    rows = str(use.arrayDims or "").count("[") if use is not None else 0
     for reference in holder.references:
-        outer = reference.eContainer()
-        if isinstance(outer, ccode.Unary) and outer.operator == "&" and not isinstance(outer.eContainer(), ccode.Cast):
-            return False
-        if array and not (isinstance(outer, ccode.Index) and outer.array is reference) and not isinstance(outer, ccode.SizeOf):
+        at, outer, indexed = reference, reference.eContainer(), 0
+        while isinstance(outer, ccode.Index) and outer.array is at:
+            at, outer, indexed = outer, outer.eContainer(), indexed + 1
+        points = rows > indexed
+        if isinstance(outer, ccode.Unary) and outer.operator == "&":
+            points, outer = True, outer.eContainer()
+        if points and not (isinstance(outer, ccode.SizeOf) or _takes_bytes(outer, taking)):
             return False
         if isinstance(outer, ccode.Call) and outer.callee is not None and reference in list(outer.arguments):
             at, parameters = list(outer.arguments).index(reference), list(outer.callee.parameters)
@@ -332,3 +348,10 @@ def is_free(holder: ccode.Declaration) -> bool:
             if outer.callee.definition and kind is not None and "&" in str(kind.spelling):
                 return False
     return True
+
+
+def _takes_bytes(outer: Element | None, taking: Collection[str]) -> bool:
+    """Whether a cast or call takes an object as bytes, whatever its type."""
+    if isinstance(outer, ccode.Cast):
+        return outer.target is not None and (is_of_bytes(outer.target) or "void" in str(outer.target.spelling).split())
+    return isinstance(outer, ccode.Call) and str(outer.calleeName) in taking

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
 from msgspec import Struct
 
@@ -40,12 +40,14 @@ class TypeLinks:
         views: a view of each unit of the program.
         uses: the uses of its variables.
         written: a declaration -> where its type is written; None where it is written otherwise.
+        of_bytes: the functions that take the bytes of an object of any type.
     """
 
     def __init__(
-        self, views: Sequence[CodeView], uses: DeclaredUses, written: Callable[[ccode.Declaration], Place | None]
-    ) -> None:
-        self._views, self._uses = views, uses
+        self, views: Sequence[CodeView], uses: DeclaredUses, written: Callable[[ccode.Declaration], Place | None],
+        of_bytes: Collection[str] = (),
+    ) -> None:  # fmt: skip
+        self._views, self._uses, self._of_bytes = views, uses, of_bytes
         self._by_place: dict[Place, list[Declared]] = {}
         for view in views:
             every: list[Declared] = [*view.of_kind(ccode.Variable), *view.of_kind(ccode.Parameter), *view.of_kind(ccode.Field)]
@@ -122,7 +124,7 @@ class TypeLinks:
                 yield parameter
             return
         kind = of_use(parameter.valueType) if parameter is not None else None
-        if pointer and (kind is None or kind.base != "void"):
+        if pointer and (kind is None or kind.base != "void") and str(call.calleeName) not in self._of_bytes:
             yield at
 
     def _origins(self, value: Element | None) -> Iterator[ccode.Located]:

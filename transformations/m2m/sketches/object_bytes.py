@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
-from robosmi.transformations.m2m.sketches.int_widths import BYTES, is_free, retyped_here
+from robosmi.transformations.m2m.sketches.int_widths import BYTES, is_free, of_bytes, retyped_here
 from robosmi.transformations.m2m.sketches.linked_types import declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit
 from robosmi.transformations.queries.code import CodeView
@@ -75,10 +75,10 @@ def _edits(sketch: MovedSketch) -> Iterator[SketchEdit]:
             record = _record(sketch, holder)
             if record is not None and record not in records:
                 records.append(record)
-            elif record is None and holder not in variables:
+            free = record is not None or _is_free(holder, of_bytes(sketch))
+            if record is None and free and holder not in variables:
                 variables.append(holder)
-            whole = record is None or _is_known(sketch, record)
-            if whole and (record is not None or is_free_of_pointers(holder)):
+            if free and (record is None or _is_known(sketch, record)):
                 cured.setdefault(id(view), (view, set()))[1].add(int(element.line))
     unions = [r for view in sketch.views for r in view.of_kind(ccode.Record) if r.recordKind is ccode.RecordKind.unionType]
     for record in [*records, *(union for union in unions if union not in records)]:
@@ -92,9 +92,11 @@ def _edits(sketch: MovedSketch) -> Iterator[SketchEdit]:
     yield from _sizes(sketch)
 
 
-def is_free_of_pointers(holder: ccode.Variable | ccode.Field | ccode.Parameter) -> bool:
-    """Whether a variable may have another type: its address is only taken for its bytes."""
-    return isinstance(holder, ccode.Field) or is_free(holder)
+def _is_free(holder: ccode.Variable | ccode.Field | ccode.Parameter, taking: Collection[str]) -> bool:
+    """Whether the type of a variable may change; that of a pointer only with what it points to."""
+    use = holder.valueType
+    points = use is not None and (use.pointerDepth or (isinstance(holder, ccode.Parameter) and use.arrayDims))
+    return not points and (isinstance(holder, ccode.Field) or is_free(holder, taking))
 
 
 def _takes_bytes(element: ccode.Expression) -> bool:

@@ -15,7 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.platforms.portability_facts import Chip, PlaceKind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
-from robosmi.transformations.queries.expression_type import field_of
+from robosmi.transformations.queries.expression_type import field_of, of_use
 from robosmi.transformations.queries.portability.analysed_program import AnalysedProgram, At
 from robosmi.transformations.queries.portability.pin_origins import PinOrigin
 
@@ -143,10 +143,10 @@ def bytes_of_objects(kind: PlaceKind, seen: AnalysedProgram) -> Found:
             if any(map(_has_layout, _objects_of(call, kind))):
                 yield At(view.unit, int(call.line)), f"{call.calleeName}()"
         for cast in view.of_kind(ccode.Cast):
-            target, inner = str(cast.target.spelling) if cast.target is not None else "", cast.operand
-            of_object = isinstance(inner, ccode.Unary) and inner.operator == "&"
-            if inner is not None and of_object and target.count("*") == 1 and _bytes(target) and _has_layout(inner):
-                yield At(view.unit, int(cast.line)), expression_text(inner)
+            inner = cast.operand
+            of_object = (isinstance(inner, ccode.Unary) and inner.operator == "&") or _is_of_objects(inner)
+            if inner is not None and of_object and cast.target is not None and is_of_bytes(cast.target) and _has_layout(inner):
+                yield At(view.unit, int(cast.line)), f"the cast of {expression_text(inner)}"
 
 
 def _objects_of(call: ccode.Call, kind: PlaceKind) -> list[ccode.Expression]:
@@ -163,8 +163,23 @@ def _on_eeprom(call: ccode.Call) -> bool:
     return isinstance(held, ccode.NameReference) and held.name == "EEPROM"
 
 
-def _bytes(spelling: str) -> bool:
-    return " ".join(word for word in spelling.replace("*", " ").split() if word not in ("const", "volatile")) in _BYTES
+def is_of_bytes(use: ccode.TypeUse) -> bool:
+    """Whether a type is a pointer to bytes."""
+    return str(use.spelling).count("*") == 1 and kind_of_type(use) in _BYTES
+
+
+def _is_of_objects(element: ccode.Expression | None) -> bool:
+    """Whether an expression is an array, a row of one, or a pointer to what has another size or layout."""
+    indexed = 0
+    while isinstance(element, ccode.Index):
+        element, indexed = element.array, indexed + 1
+    held = field_of(element, {}) if isinstance(element, ccode.Member) else getattr(element, "target", None)
+    use = held.valueType if isinstance(held, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+    if use is None or str(use.arrayDims or "").count("[") > indexed:
+        return use is not None
+    kind = of_use(use)
+    wider = kind is not None and (kind.base in _INTS or kind.base == "double" or isinstance(kind.declaration, ccode.Record))
+    return wider and kind is not None and kind.depth == indexed + 1
 
 
 def _has_layout(argument: ccode.Expression) -> bool:
