@@ -158,12 +158,18 @@ def _widths_left(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchE
 
 
 def _is_stored(sketch: MovedSketch, held: Declared, values: WrappedValues) -> bool:
-    """Whether a variable itself is given to a call that takes its bytes."""
+    """Whether a variable itself is given to a call or cast that takes its bytes."""
     view_of = {id(view.unit): view for view in sketch.views}
     return is_free(held, of_bytes(sketch)) and any(
-        isinstance(use.eContainer(), (ccode.Call, ccode.Cast)) and int(use.line) in sketch.lines(BYTES, view_of[id(unit_of(use))])
+        isinstance(_around(use), (ccode.Call, ccode.Cast)) and int(use.line) in sketch.lines(BYTES, view_of[id(unit_of(use))])
         for use in values.uses.of(held)
     )
+
+
+def _around(use: ccode.Expression) -> Element | None:
+    """What takes a variable, or its address."""
+    outer = use.eContainer()
+    return outer.eContainer() if isinstance(outer, ccode.Unary) and outer.operator == "&" else outer
 
 
 def _template_ints(view: CodeView, data: bytes, values: WrappedValues) -> Iterator[tuple[ccode.Located, str]]:

@@ -7,6 +7,7 @@ int16_t kept[3];
 int shown[2];
 float gains[2];
 Point points[2];
+int16_t last[2];
 char name[8];
 
 void show(int *first) {
@@ -32,6 +33,7 @@ void loop() {
   Serial.write((byte *)rows[1], sizeof(rows[1]));
   Serial.write((const uint8_t *)gains, sizeof(gains));
   Serial.write((byte *)points, sizeof(points));
+  Serial.write((byte *)&last, sizeof(last));
   Serial.write((byte *)name, sizeof(name));
   send(&points[1]);
   int size = sizeof(Point);
