@@ -7,8 +7,10 @@ void setup() {
 
 void loop() {
   if (digitalRead(SWITCH) == LOW) {
-    tone(BUZZER, 880);
-    delay(160);
+    for (byte n = 0; n < 80; n++) {
+      tone(BUZZER, 880);  // the wave goes on
+      delay(2);
+    }
     noTone(BUZZER);
     delay(160);
   } else {

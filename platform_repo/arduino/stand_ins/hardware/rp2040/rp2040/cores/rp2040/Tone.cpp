@@ -39,14 +39,18 @@ void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
   }
   Wave *wave = waveOf(pin, true);
   if (!wave || pin >= 30) return;
-  cancel_repeating_timer(&wave->timer);
-  if (!wave->on) pinMode(pin, OUTPUT);
-  wave->pin = pin;
-  wave->on = true;
+  int64_t period = -(int64_t)((500000 + frequency / 2) / frequency);
   uint32_t halves = (uint64_t)duration * frequency / 1000 * 2;
   wave->halvesLeft = !duration ? 0 : halves ? halves - 1 : 1;  // it ends low
+  if (wave->on) {
+    wave->timer.delay_us = period;  // from the next edge on, as the core's own: earlephilhower/arduino-pico#186
+    return;
+  }
+  pinMode(pin, OUTPUT);
+  wave->pin = pin;
+  wave->on = true;
   gpio_put(pin, true);
-  add_repeating_timer_us(-(int64_t)((500000 + frequency / 2) / frequency), half, wave, &wave->timer);
+  add_repeating_timer_us(period, half, wave, &wave->timer);
 }
 
 void noTone(uint8_t pin) {
