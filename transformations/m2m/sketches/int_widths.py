@@ -340,9 +340,10 @@ def is_free(holder: ccode.Declaration, taking: Collection[str] = ()) -> bool:
     use = holder.valueType if isinstance(holder, (ccode.Variable, ccode.Parameter)) else None
     rows = str(use.arrayDims or "").count("[") if use is not None else 0
     for reference in holder.references:
-        at, outer, indexed = reference, reference.eContainer(), 0
-        while isinstance(outer, ccode.Index) and outer.array is at:
-            at, outer, indexed = outer, outer.eContainer(), indexed + 1
+        outer, indexed = reference.eContainer(), 0
+        inner: ccode.Expression = reference
+        while isinstance(outer, ccode.Index) and outer.array is inner:
+            inner, outer, indexed = outer, outer.eContainer(), indexed + 1
         points = rows > indexed
         if isinstance(outer, ccode.Unary) and outer.operator == "&":
             points, outer = True, outer.eContainer()
