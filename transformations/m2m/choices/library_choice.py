@@ -249,18 +249,16 @@ def close_idle_choices(plan: migration.MigrationPlan) -> None:
     Where all functions have adapters with bodies, this holds for each component. Else it holds for those at whose ports all
     calls have.
     """
-    uses = {str(use.name): use for use in plan.adapterUses}
-    ready = {name: use.adapter for name, use in uses.items() if use.adapter is not None and use.status in _READY}
-    complete = bool(uses) and len(ready) == len(uses)
-    used = {str(name) for piece in emitted(plan) for name in piece.libraries} if complete else set()
-    for choice in plan.libraryChoices:
-        if not choice.open or choice.component is None:
-            continue
+    if not (idle := [choice for choice in plan.libraryChoices if choice.open and choice.component is not None]):
+        return
+    ready = {str(use.name): use.adapter for use in plan.adapterUses if use.adapter is not None and use.status in _READY}
+    complete = len(plan.adapterUses) > 0 and all(str(use.name) in ready for use in plan.adapterUses)
+    used = _libraries(emitted(plan)) if complete else set()
+    for choice in idle:
         candidates = {str(library.name) for library in choice.candidates}
         names = list(dict.fromkeys(str(call.calleeName) for call in _calls(plan, choice.component)))
-        served = bool(names) and all(name in ready for name in names)
-        here = {str(name) for piece in closure(ready[name] for name in names) for name in piece.libraries} if served else set()
-        if served and here.isdisjoint(candidates):
+        served = [ready[name] for name in names if name in ready]
+        if names and len(served) == len(names) and _libraries(closure(served)).isdisjoint(candidates):
             why = f"the functions used here need none: {', '.join(names)}"
         elif complete and used.isdisjoint(candidates):
             why = "no function that the program calls needs one"
@@ -268,6 +266,10 @@ def close_idle_choices(plan: migration.MigrationPlan) -> None:
             continue
         choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
         choice.evidence.append(why)
+
+
+def _libraries(pieces: Iterable[platform.Adapter]) -> set[str]:
+    return {str(name) for piece in pieces for name in piece.libraries}
 
 
 def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:
