@@ -249,14 +249,15 @@ def close_idle_choices(plan: migration.MigrationPlan) -> None:
     Where all functions have adapters with bodies, this holds for each component. Else it holds for those at whose ports all
     calls have.
     """
-    if not (idle := [choice for choice in plan.libraryChoices if choice.open and choice.component is not None]):
+    idle = [(choice, part) for choice in plan.libraryChoices if choice.open and (part := choice.component) is not None]
+    if not idle:
         return
     ready = {str(use.name): use.adapter for use in plan.adapterUses if use.adapter is not None and use.status in _READY}
     complete = len(plan.adapterUses) > 0 and all(str(use.name) in ready for use in plan.adapterUses)
     used = _libraries(emitted(plan)) if complete else set()
-    for choice in idle:
+    for choice, part in idle:
         candidates = {str(library.name) for library in choice.candidates}
-        names = list(dict.fromkeys(str(call.calleeName) for call in _calls(plan, choice.component)))
+        names = list(dict.fromkeys(str(call.calleeName) for call in _calls(plan, part)))
         served = [ready[name] for name in names if name in ready]
         if names and len(served) == len(names) and _libraries(closure(served)).isdisjoint(candidates):
             why = f"the functions used here need none: {', '.join(names)}"
