@@ -191,11 +191,13 @@
 
   function show(passed = 0) {
     by("clock").dataset.ms = at.toFixed(1);
-    by("clock").textContent = `${(at / 1000).toFixed(3)} s`;
+    const now = performance.now(), words = !playing || now - worded >= 100; // lamps and wheels change each frame; texts, as often as one can read them
+    if (words) {
+      worded = now;
+      by("clock").textContent = `${(at / 1000).toFixed(3)} s`;
+    }
     if (!run) return;
     let hz = 0;
-    const now = performance.now(), words = !playing || now - worded >= 100; // lamps and wheels change each frame; texts, as often as one can read them
-    if (words) worded = now;
     for (const cell of cells) {
       const event = last(cell.events), state = event ? event[1] : "off", turning = Boolean(event && event[3] === "pulses");
       if (turning) {

@@ -60,6 +60,7 @@ def test_an_answer_is_a_persons_choice_and_is_remembered(
     line_follower: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(defaults()["choices"], "limit", 1.01)  # nothing is sure enough
+    line_follower.write_text(line_follower.read_text() + "\nvoid more() { other_light(); }\n")
     asked: list[str] = []
 
     def ask(choices: Sequence[Mapping[str, Any]]) -> dict[str, str]:
@@ -68,7 +69,7 @@ def test_an_answer_is_a_persons_choice_and_is_remembered(
         return {f"#{choice['component_model_index']}": choice["candidates"][1]["library"] for choice in choices}
 
     made = content("chain", "migrate")([line_follower], tmp_path / "out", ask=ask)
-    assert asked == ["Red (633nm)-LED1"], "its port is open; what rc_time reads needs no library"
+    assert asked == ["Red (633nm)-LED1"], "other_light() has no body yet; what rc_time reads needs no library"
     by = {c.component.title: (c.chosenBy.name, c.choice, c.open) for c in made.models.plan.libraryChoices}
     person, library, is_open = by["Red (633nm)-LED1"]
     assert (person, is_open) == ("person", False)

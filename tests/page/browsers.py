@@ -74,6 +74,12 @@ class Served:
         """Wait until the page shows another plan than the one with that digest."""
         self.wait(lambda: self.script("return document.body.dataset.plan") != plan)
 
+    def shown(self) -> None:
+        """Wait until what the page has changed is laid out and painted."""
+        self.browser.execute_async_script(
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()))"
+        )
+
     def open_choices(self) -> list[str]:
         """The choices that are open."""
         found = "return [...document.querySelectorAll('[data-choice][data-chosen=\"\"]')].map(each => each.dataset.choice)"

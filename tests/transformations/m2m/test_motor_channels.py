@@ -8,6 +8,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.queries.plans.choices import available_choices
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
@@ -52,6 +53,25 @@ def test_a_complete_channel_takes_the_place_of_a_servo(table: str) -> None:
     assert plan.target is not None
     assert "motors" in {piece.name for piece in plan.target.adapters}
     assert not [task for task in plan.tasks if task.rule == "RS331"]  # the driver's other inputs are used
+
+
+@pytest.mark.parametrize(
+    ("program", "table", "port", "motors"),
+    [
+        (DRIVE, "l298n", "abdrive.left_servo", ["D5", "D6"]),
+        (DRIVE, "l298n_by_kind", "abdrive.left_servo", ["D5", "D6"]),  # no servo is called so
+        (DRIVE, "l298n_no_pwm", "abdrive.left_servo", ["D6"]),  # the other channel is not complete
+        (SPEED, "l298n_by_kind", "P12", ["D5", "D6"]),
+        (SPEED, "l298n_by_kind", "P14", []),  # it sets an angle
+    ],
+)
+def test_complete_channels_are_offered_first_where_no_servo_is(program: Path, table: str, port: str, motors: list[str]) -> None:
+    plan = robosmi.plan_migration([program], hardware=FOLDER / f"{table}.csv").plan
+    options = next(choice.options for choice in available_choices(plan) if choice.subject == port)
+    pins = {str(each.name): str(each.pin.label) for each in plan.connections if each.pin is not None}
+    turning = [pins[option.value] for option in options if option.why == "turns a motor instead of a servo"]
+    assert turning == motors
+    assert [pins.get(option.value, option.value) for option in options[: len(motors) or 1]] == (motors or ["none"])
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 A choice is made by a user (flag, project file), by history, or by the ranking if it is sure enough; else it stays open. Every
 component that a board pin reaches gets a decision with its candidates, the evidence and who chose. An open choice is closed if it
-would change nothing, because the adapters handle the component without a library. Libraries are ranked by `library_ranking`; the
+would change nothing, because the adapters need no library for it. Libraries are ranked by `library_ranking`; the
 command line asks the user.
 """
 
@@ -26,7 +26,7 @@ from robosmi.transformations.knowledge.platforms.target_platform import TargetFa
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.queries.circuits.circuit import component_named
 from robosmi.transformations.queries.circuits.former_titles import former_title
-from robosmi.transformations.queries.plans.plan_adapters import closure, port_calls
+from robosmi.transformations.queries.plans.plan_adapters import closure, emitted, port_calls
 
 NO_LIBRARY = "none"
 """The choice that a component needs no library."""
@@ -244,23 +244,33 @@ _READY = (migration.AdapterStatus.filled, migration.AdapterStatus.care)
 
 
 def close_idle_choices(plan: migration.MigrationPlan) -> None:
-    """Choose no library for a component if all calls at its ports have adapters with bodies, and none of these uses a
-    candidate.
+    """Choose no library for a component if no body is left to write that may use one, and no adapter uses a candidate.
+
+    Where all functions have adapters with bodies, this holds for each component. Else it holds for those at whose ports all
+    calls have.
     """
-    uses = {str(use.name): use for use in plan.adapterUses}
-    for choice in plan.libraryChoices:
-        if not choice.open or choice.component is None:
+    idle = [(choice, part) for choice in plan.libraryChoices if choice.open and (part := choice.component) is not None]
+    if not idle:
+        return
+    ready = {str(use.name): use.adapter for use in plan.adapterUses if use.adapter is not None and use.status in _READY}
+    complete = len(plan.adapterUses) > 0 and all(str(use.name) in ready for use in plan.adapterUses)
+    used = _libraries(emitted(plan)) if complete else set()
+    for choice, part in idle:
+        candidates = {str(library.name) for library in choice.candidates}
+        names = list(dict.fromkeys(str(call.calleeName) for call in _calls(plan, part)))
+        served = [ready[name] for name in names if name in ready]
+        if names and len(served) == len(names) and _libraries(closure(served)).isdisjoint(candidates):
+            why = f"the functions used here need none: {', '.join(names)}"
+        elif complete and used.isdisjoint(candidates):
+            why = "no function that the program calls needs one"
+        else:
             continue
-        calls = _calls(plan, choice.component)
-        told = [uses.get(str(call.calleeName)) for call in calls]
-        pieces = [use.adapter for use in told if use is not None and use.adapter is not None and use.status in _READY]
-        if not calls or len(pieces) < len(calls):
-            continue
-        names = {str(name) for piece in closure(pieces) for name in piece.libraries}
-        if names.isdisjoint(str(library.name) for library in choice.candidates):
-            functions = ", ".join(dict.fromkeys(str(call.calleeName) for call in calls))
-            choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
-            choice.evidence.append(f"the functions used here need none: {functions}")
+        choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
+        choice.evidence.append(why)
+
+
+def _libraries(pieces: Iterable[platform.Adapter]) -> set[str]:
+    return {str(name) for piece in pieces for name in piece.libraries}
 
 
 def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:

@@ -191,10 +191,14 @@ def _sides(seat: Seat, connection: migration.Connection) -> tuple[float, list[st
 
 
 def number_for(seat: Seat, connection: migration.Connection) -> str:
-    """Why the number at the end of a port's name speaks for a connection; empty if it does not, or if it is the pin's number."""
+    """Why the number at the end of a port's name speaks for a connection; empty if it does not, or if it is the pin's number.
+
+    A port with a name of its own is also called by its pin (P11).
+    """
     binding = seat.binding
     names = (binding.name, *binding.names) if binding.origin not in _BY_NUMBER else ()
-    mine = {int(found[0]) for name in names if (found := _LAST_NUMBER.search(str(name)))}
+    found = [(name, int(end[0])) for name in names if (end := _LAST_NUMBER.search(str(name)))]
+    mine = {number for name, number in found if name == binding.name or number != binding.sourcePin}
     title = str(connection.component.title) if connection.component is not None else ""
     theirs = _LAST_NUMBER.search(title)
     return f"both names end with {theirs[0]}" if theirs is not None and int(theirs[0]) in mine else ""

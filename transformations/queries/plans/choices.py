@@ -16,6 +16,7 @@ from robosmi.base.data_text import Json
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.transformations.knowledge.part import GIVEN, ROLES
+from robosmi.transformations.queries.plans.motors import free_motors
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, measures
 
 NO_LIBRARY = "none"
@@ -157,6 +158,8 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
     if isinstance(decision, migration.PortBinding):
         named = {c.name: c.pin for c in plan.connections}
         ranked = [(label, score, _why_on(named.get(label), why, plan, decision)) for label, score, why in ranked]
+        ranked = _with_motors(ranked, [str(motor.name) for motor in free_motors(plan, decision)])
+        fitting = bool(ranked)
         offered = {id(named[label]) for label, _, _ in ranked if named.get(label) is not None}
         ranked += [
             (str(c.name), 0.0, _why_on(c.pin, _why_drawn(c.pin, decision), plan, decision))
@@ -165,7 +168,7 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
         ]
         ranked += [(str(pin.label), 0.0, _pin_why(pin)) for pin in free_pins(plan, decision) if id(pin) not in offered]
         if all(label != NOT_WIRED for label, _, _ in ranked):
-            first = not decision.options and len(plan.connections) > 0  # nothing that is drawn fits
+            first = not fitting and len(plan.connections) > 0  # nothing that is drawn fits
             why = "nothing that is drawn fits" if first else "not connected: its calls do nothing"
             ranked.insert(0 if first else len(ranked), (NOT_WIRED, 0.0, why))
         ranked = _free_first(ranked, plan, decision)
@@ -177,6 +180,18 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
     if chosen and all(value != chosen for value, _, _ in ranked):
         ranked.insert(0, (chosen, float(decision.confidence), reason(decision)))
     yield from (Option(value, score, why) for value, score, why in ranked)
+
+
+_MOTOR = 0.3
+"""Score of a motor instead of a servo: as of a part that a function is usually used with."""
+
+
+def _with_motors(ranked: list[tuple[str, float, str]], motors: list[str]) -> list[tuple[str, float, str]]:
+    """The options with the motors that may stand for a servo before the weak matches."""
+    strong = [option for option in ranked if option[1] >= _MOTOR]
+    new = [name for name in motors if all(name != label for label, _, _ in strong)]
+    weak = [option for option in ranked if option not in strong and option[0] not in new]
+    return [*strong, *((name, _MOTOR, "turns a motor instead of a servo") for name in new), *weak]
 
 
 def _free_first(

@@ -17,6 +17,7 @@ from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from robosmi.base.data_text import Json
+from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
@@ -174,12 +175,17 @@ class _Reading:
         )
 
     def _report_rest(self, wired: nets.ViewWiring) -> None:
-        if self.sketch.without_views or wired.ignored_wires or wired.foreign_wires:
-            traces = f", and {wired.foreign_wires} traces of another view" if wired.foreign_wires else ""
+        left_out = (
+            (self.sketch.without_views, "part without a view", "parts without a view"),
+            (wired.ignored_wires, "derived wire", "derived wires"),
+            (wired.foreign_wires, "trace of another view", "traces of another view"),
+        )
+        counted = [quantity(*each) for each in left_out if each[0]]
+        if counted:
             self.report(
                 "RS205",
                 Severity.info,
-                f"left out: {self.sketch.without_views} parts without a view and {wired.ignored_wires} derived wires{traces}",
+                f"left out: {', '.join(counted)}",
                 without_views=self.sketch.without_views,
                 derived_wires=wired.ignored_wires,
                 foreign_wires=wired.foreign_wires,

@@ -219,6 +219,7 @@ def test_views_that_disagree_are_a_finding_and_the_breadboard_view_counts() -> N
 def test_derived_wires_and_instances_without_a_view_are_left_out_and_counted() -> None:
     circuit, findings = read("derived_wires")
     assert rules_of(findings) == ["RS205"]
+    assert findings[0].message == "left out: 2 parts without a view, 1 derived wire"
     assert findings[0].evidence == {"without_views": 2, "derived_wires": 1, "foreign_wires": 0}
     assert [w.elementId for w in circuit.wires] == ["100"]
     assert net_of(circuit, "Arm", "connector2") is not net_of(circuit, "Uno", "connector66")
@@ -233,6 +234,7 @@ def test_traces_of_the_schematic_and_of_the_pcb_are_no_wires_on_the_breadboard()
         assert net_of(circuit, "Arm", "connector2") is not net_of(circuit, "Uno", pin)
     assert rules_of(findings) == ["RS202", "RS205"]
     assert findings[0].evidence["connectors"] == ["1.connector52", "1.connector66", "2.connector2"]  # and its own
+    assert findings[1].message == "left out: 2 traces of another view"
     assert findings[1].evidence == {"without_views": 0, "derived_wires": 0, "foreign_wires": 2}
 
 
