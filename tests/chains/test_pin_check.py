@@ -243,6 +243,19 @@ def test_a_number_that_a_truth_value_takes_is_0_or_1() -> None:
     assert [f.message for f in fired(models)] == []
 
 
+def test_a_number_that_a_narrow_type_or_bit_field_takes_is_cut() -> None:
+    models = plan_of("converted/widths.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [0, 1, 2, 3, 4, 5, 6, 7, 9, 10]
+    assert [f.message for f in fired(models)] == []
+    assert {f.rule for f in models.plan.findings}.isdisjoint({"RS326", "RS327"})
+
+
+def test_what_a_bit_field_leaves_of_numbers_that_are_not_known_is_not_known() -> None:
+    models = plan_of("converted/unknown_widths.c", project=False)
+    [told] = [f.message for f in models.plan.findings if f.rule == "RS327"]
+    assert "(lines 13, 14, 15)" in told
+
+
 def test_a_negative_number_beside_an_unsigned_one_gives_no_port() -> None:
     """It is a large one there, so that `-1 < 0u` is 0; of that the list of ports says that it is not known."""
     models = plan_of("converted/signs.c", project=False)
