@@ -185,6 +185,18 @@ def test_static_functions_of_one_name_have_ports_of_their_own() -> None:
     assert calls_ready(models.plan)
 
 
+def test_a_static_function_or_macro_of_another_file_leaves_an_adapter_its_name() -> None:
+    models = plan_of("names_of_adapters", {"P5": "D8"}, project=False)
+    files = {file.name.rpartition("/")[2]: file.after or "" for file in completion.program(models).files}
+    assert "high_(3)" in files["b.cpp"]
+    assert "low(3)" in files["c.cpp"]
+    assert "void high(" in files["adapters.h"]
+    assert "void low(" in files["adapters.h"]
+    assert [f.message for f in fired(models)] == []
+    assert {f.rule for f in models.plan.findings}.isdisjoint({"RS337"})
+    assert Work(models.plan).calls["total"] == 3
+
+
 def test_an_enumerator_that_is_a_word_of_cpp_is_renamed_and_moved() -> None:
     models = plan_of("renamed/words.c", {"private": "D9"}, project=False)
     text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))
