@@ -249,6 +249,12 @@ def test_an_index_that_stands_before_its_array_is_followed() -> None:
     assert [f.message for f in fired(models)] == []
 
 
+def test_the_designators_of_an_array_may_be_ranges_and_go_back() -> None:
+    models = plan_of("indexes/ranges.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [3, 4, 7, 8, 10]
+    assert [f.message for f in fired(models)] == []
+
+
 def test_a_number_that_a_truth_value_takes_is_0_or_1() -> None:
     models = plan_of("converted/truths.c", project=False)
     assert sorted(b.sourcePin for b in models.plan.portBindings) == [1, 3, 5]

@@ -253,26 +253,29 @@ class Values:
         if self._written.is_written(target):
             return None
         found: list[Value] = []
+        following = 0
         for element in target.initializer.elements:
             values = self.of(element.right if isinstance(element, ccode.Assignment) else element)
             if len(values) != 1 or values[0].number is None:
                 return None
-            place = self._place(element, len(found))
-            if place is None:
+            places = self._places(element, following)
+            if not places:
                 return None
-            found += [Value(0, "array")] * (place + 1 - len(found))
-            found[place] = Value(_in_type(values, target.valueType)[0].number, "array")
+            following = places.stop
+            found += [Value(0, "array")] * (following - len(found))
+            found[places.start : following] = [Value(_in_type(values, target.valueType)[0].number, "array")] * len(places)
         size = _SIZE.fullmatch(str(target.valueType.arrayDims or "")) if target.valueType is not None else None
         rest = min(int(size[1]), LIMIT) - len(found) if size is not None else 0
         return found + [Value(0, "array")] * max(rest, 0)
 
-    def _place(self, element: Element, following: int) -> int | None:
-        """The index of an initialiser's element: its designator `[index] =`, else `following`; None if not known."""
+    def _places(self, element: Element, following: int) -> range:
+        """The indexes that an initialiser's element is for, those of its designator, else `following`; empty if not known."""
         if not isinstance(element, ccode.Assignment):
-            return following
-        said = self.of(element.left.index) if isinstance(element.left, ccode.Index) and element.left.array is None else []
-        number = said[0].number if len(said) == 1 else None
-        return number if number is not None and 0 <= number < LIMIT else None
+            return range(following, following + 1)
+        said = element.left.index if isinstance(element.left, ccode.Index) and element.left.array is None else None
+        ends = [said.left, said.right] if isinstance(said, ccode.Binary) and said.operator == "..." else [said, said]
+        first, last = (found[0].number if len(found := self.of(end)) == 1 else None for end in ends)
+        return range(first, last + 1) if first is not None and last is not None and 0 <= first <= last < LIMIT else range(0)
 
 
 Values._methods = {
