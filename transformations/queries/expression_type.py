@@ -306,8 +306,10 @@ def cut_values(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> Mappi
     fields = (field for view in views for field in view.of_kind(ccode.Field))
     if not any(_NARROW.search(data) for data in sources.values()) and not any(field.bitWidth for field in fields):
         return {}
-    casts = [cast for view in views for cast in view.of_kind(ccode.Cast) if cast.operand is not None]
-    given = chain(*(expectations(view, {}) for view in views), *(_initial(cast.operand, of_use(cast.target)) for cast in casts))
+    casts = [(cast.operand, cast.target) for view in views for cast in view.of_kind(ccode.Cast)]
+    given = chain(
+        *(expectations(view, {}) for view in views), *(_initial(one, of_use(use)) for one, use in casts if one is not None)
+    )
     return {id(one): kind for one, kind in given if kind.is_narrow}
 
 
