@@ -185,6 +185,18 @@ def test_static_functions_of_one_name_have_ports_of_their_own() -> None:
     assert calls_ready(models.plan)
 
 
+def test_a_static_function_or_macro_of_another_file_leaves_an_adapter_its_name() -> None:
+    models = plan_of("names_of_adapters", {"P5": "D8"}, project=False)
+    files = {file.name.rpartition("/")[2]: file.after or "" for file in completion.program(models).files}
+    assert "high_(3)" in files["b.cpp"]
+    assert "low(3)" in files["c.cpp"]
+    assert "void high(" in files["adapters.h"]
+    assert "void low(" in files["adapters.h"]
+    assert [f.message for f in fired(models)] == []
+    assert {f.rule for f in models.plan.findings}.isdisjoint({"RS337"})
+    assert Work(models.plan).calls["total"] == 3
+
+
 def test_an_enumerator_that_is_a_word_of_cpp_is_renamed_and_moved() -> None:
     models = plan_of("renamed/words.c", {"private": "D9"}, project=False)
     text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))
@@ -237,10 +249,29 @@ def test_an_index_that_stands_before_its_array_is_followed() -> None:
     assert [f.message for f in fired(models)] == []
 
 
+def test_the_designators_of_an_array_may_be_ranges_and_go_back() -> None:
+    models = plan_of("indexes/ranges.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [3, 4, 7, 8, 10]
+    assert [f.message for f in fired(models)] == []
+
+
 def test_a_number_that_a_truth_value_takes_is_0_or_1() -> None:
     models = plan_of("converted/truths.c", project=False)
     assert sorted(b.sourcePin for b in models.plan.portBindings) == [1, 3, 5]
     assert [f.message for f in fired(models)] == []
+
+
+def test_a_number_that_a_narrow_type_or_bit_field_takes_is_cut() -> None:
+    models = plan_of("converted/widths.c", project=False)
+    assert sorted(b.sourcePin for b in models.plan.portBindings) == [0, 1, 2, 3, 4, 5, 6, 7, 9, 10]
+    assert [f.message for f in fired(models)] == []
+    assert {f.rule for f in models.plan.findings}.isdisjoint({"RS326", "RS327"})
+
+
+def test_what_a_bit_field_leaves_of_numbers_that_are_not_known_is_not_known() -> None:
+    models = plan_of("converted/unknown_widths.c", project=False)
+    [told] = [f.message for f in models.plan.findings if f.rule == "RS327"]
+    assert "(lines 13, 14, 15)" in told
 
 
 def test_a_negative_number_beside_an_unsigned_one_gives_no_port() -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 from weakref import WeakKeyDictionary
 
 from msgspec import Struct
@@ -17,7 +18,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.values import BOOLEAN
+from robosmi.transformations.queries.values import PIN_BITS, left_in
 
 _QUALIFIERS = re.compile(
     r"\b(const|volatile|register|restrict|extern|static|struct|union|enum|__(?:const|volatile|restrict)(?:__)?)\b"
@@ -45,6 +46,8 @@ ARITHMETIC = frozenset(
         "uint64_t",
     ]
 )
+_NARROW = re.compile(rb"\b(?:_Bool|bool|boolean|char|short|byte|u?int\w*(?:8|16)_t)\b")
+"""Matches in a text that names a type narrower than int."""
 _NAMELESS = frozenset({"struct", "union", "enum", "const", "volatile", "static", "extern", "*"})
 """Words of the type of a variable whose record has no name."""
 
@@ -61,6 +64,8 @@ class ValueType(Struct, frozen=True):
         dimensions: how many of the levels are arrays.
         declaration: the declaration of the base, if the program declares it.
         rows: the sizes of the arrays that it points to, as written: `[8]` of `int (*)[8]` and of `int a[2][8]`.
+        use: where the program writes the type; None for a type that is given as text.
+        width: of a bit field, in bits; 0 for any other.
     """
 
     spelling: str
@@ -71,6 +76,8 @@ class ValueType(Struct, frozen=True):
     changing: bool = False
     declaration: ccode.Declaration | None = None
     rows: str = ""
+    use: ccode.TypeUse | None = None
+    width: int = 0
 
     @property
     def array(self) -> bool:
@@ -87,6 +94,24 @@ class ValueType(Struct, frozen=True):
         """True for an arithmetic type of C."""
         words = self.base.split()
         return self.depth == 0 and bool(words) and set(words) <= ARITHMETIC
+
+    @property
+    def bits(self) -> int:
+        """The width of an object of the type on the source platform; 0 where no number is in it, or it is not known."""
+        return 0 if self.use is None or self.depth or self.function else self.width or int(self.use.bits)
+
+    @property
+    def is_narrow(self) -> bool:
+        """Whether it is narrower than int, so that a number of a pin may be cut when it is stored."""
+        return 0 < self.bits < PIN_BITS and (self.width > 0 or self.base not in ("int", "unsigned int", "unsigned"))
+
+    def left(self, number: int) -> int:
+        """What is left of a number that is stored in an object of the type, whose width is known."""
+        assert self.use is not None
+        declared = self.declaration
+        if not isinstance(declared, ccode.Enumeration):
+            return left_in(self.use, number, self.bits, bool(self.use.signed))
+        return left_in(self.use, number, self.bits, any(literal.value < 0 for literal in declared.literals))
 
 
 class FunctionType(Struct, frozen=True):
@@ -124,8 +149,13 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
             sizes = made.dimensions + (inner.dimensions if made.depth == made.dimensions else 0)
             if inner.array:  # an element of a named array has no name of its own
                 made = replace(made, spelling=inner.spelling + "*" * made.depth, constant=made.constant or inner.constant)
-            return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
-    return replace(made, declaration=declaration or nameless(use))
+            return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant, use=use)
+    return replace(made, declaration=declaration or nameless(use), use=use)
+
+
+def _of_field(field: ccode.Field) -> ValueType | None:
+    found = of_use(field.valueType)
+    return replace(found, width=int(field.bitWidth)) if found is not None and field.bitWidth else found
 
 
 def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
@@ -191,7 +221,9 @@ def type_of(expression: ccode.Expression | None, functions: Mapping[str, Functio
     """The type of an expression's value, None where the model does not say it."""
     if isinstance(expression, ccode.NameReference):
         target = expression.target
-        return of_use(target.valueType) if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+        if isinstance(target, ccode.Field):
+            return _of_field(target)
+        return of_use(target.valueType) if isinstance(target, (ccode.Variable, ccode.Parameter)) else None
     if isinstance(expression, ccode.Call):
         if expression.calleeName in functions:
             return parse(functions[expression.calleeName].returns)
@@ -229,7 +261,7 @@ def field_of(expression: ccode.Member, functions: Mapping[str, FunctionType]) ->
 
 def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> ValueType | None:
     field, owner = field_of(expression, functions), type_of(expression.object, functions)
-    found = of_use(field.valueType) if field is not None else None
+    found = _of_field(field) if field is not None else None
     if found is None or owner is None or not found.array:  # an array is as constant and as changing as what it is in
         return found
     return replace(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)
@@ -264,19 +296,21 @@ def expectations(view: CodeView, functions: Mapping[str, FunctionType]) -> Itera
             yield from _value(argument, kind)
 
 
-def truth_values(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> frozenset[int]:
-    """`id` of each expression of a program whose value becomes 0 or 1, since a truth value takes it.
+def cut_values(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> Mapping[int, ValueType]:
+    """`id` of each expression of a program whose value a type narrower than a pin takes -> that type.
 
     Args:
         views: a view of each unit.
         sources: path of a unit -> its bytes.
     """
-    if not any(b"bool" in data.lower() for data in sources.values()):
-        return frozenset()
-    given = (one for view in views for one, kind in expectations(view, {}) if not kind.depth and kind.base in BOOLEAN)
-    casts = (cast for view in views for cast in view.of_kind(ccode.Cast))
-    made = (cast.operand for cast in casts if cast.target is not None and cast.target.canonical in BOOLEAN)
-    return frozenset(map(id, (*given, *made)))
+    fields = (field for view in views for field in view.of_kind(ccode.Field))
+    if not any(_NARROW.search(data) for data in sources.values()) and not any(field.bitWidth for field in fields):
+        return {}
+    casts = [(cast.operand, cast.target) for view in views for cast in view.of_kind(ccode.Cast)]
+    given = chain(
+        *(expectations(view, {}) for view in views), *(_initial(one, of_use(use)) for one, use in casts if one is not None)
+    )
+    return {id(one): kind for one, kind in given if kind.is_narrow}
 
 
 def _value(expression: ccode.Expression, kind: ValueType | None) -> Iterator[tuple[ccode.Expression, ValueType]]:
@@ -309,7 +343,7 @@ def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[t
             place = places.get(name, len(members)) if name else place
             if value is None or place >= len(members):
                 return
-            wanted = of_use(members[place].valueType)
+            wanted = _of_field(members[place])
             if _without_braces(value, wanted):
                 return
             yield from _initial(value, wanted)

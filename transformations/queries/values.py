@@ -29,6 +29,8 @@ _SIGNED = frozenset({"<", ">", "<=", ">=", "/", "%", ">>"})
 """Operators whose result depends on whether their operands have a sign."""
 BOOLEAN = frozenset({"bool", "_Bool"})
 """The type of truth values, 0 and 1, in C++ and C."""
+PIN_BITS = 32
+"""The width of a pin, in bits."""
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -89,8 +91,7 @@ class Values:
         return [Value(int(literal.value), "literal")]
 
     def _cast(self, cast: ccode.Cast) -> list[Value]:
-        values, use = self.of(cast.operand), cast.target
-        return _truths(values) if use is not None and use.canonical in BOOLEAN else values
+        return _in_type(self.of(cast.operand), cast.target)
 
     def _unary(self, unary: ccode.Unary) -> list[Value]:
         change = _CHANGES.get(str(unary.operator))
@@ -154,8 +155,7 @@ class Values:
     def _held(self, target: ccode.Variable | ccode.Parameter) -> list[Value]:
         """The values of a variable or parameter, as its type holds them."""
         given = self._variable(target) if isinstance(target, ccode.Variable) else self._parameter(target)
-        use = target.valueType
-        return _truths(given) if use is not None and use.canonical in BOOLEAN else given
+        return _in_type(given, target.valueType)
 
     def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         """The values of a variable that is the counter of a for loop around the reference; None if there is no such loop."""
@@ -253,26 +253,29 @@ class Values:
         if self._written.is_written(target):
             return None
         found: list[Value] = []
+        following = 0
         for element in target.initializer.elements:
             values = self.of(element.right if isinstance(element, ccode.Assignment) else element)
             if len(values) != 1 or values[0].number is None:
                 return None
-            place = self._place(element, len(found))
-            if place is None:
+            places = self._places(element, following)
+            if not places:
                 return None
-            found += [Value(0, "array")] * (place + 1 - len(found))
-            found[place] = Value(values[0].number, "array")
+            following = places.stop
+            found += [Value(0, "array")] * (following - len(found))
+            found[places.start : following] = [Value(_in_type(values, target.valueType)[0].number, "array")] * len(places)
         size = _SIZE.fullmatch(str(target.valueType.arrayDims or "")) if target.valueType is not None else None
         rest = min(int(size[1]), LIMIT) - len(found) if size is not None else 0
         return found + [Value(0, "array")] * max(rest, 0)
 
-    def _place(self, element: Element, following: int) -> int | None:
-        """The index of an initialiser's element: its designator `[index] =`, else `following`; None if not known."""
+    def _places(self, element: Element, following: int) -> range:
+        """The indexes that an initialiser's element is for, those of its designator, else `following`; empty if not known."""
         if not isinstance(element, ccode.Assignment):
-            return following
-        said = self.of(element.left.index) if isinstance(element.left, ccode.Index) and element.left.array is None else []
-        number = said[0].number if len(said) == 1 else None
-        return number if number is not None and 0 <= number < LIMIT else None
+            return range(following, following + 1)
+        said = element.left.index if isinstance(element.left, ccode.Index) and element.left.array is None else None
+        ends = [said.left, said.right] if isinstance(said, ccode.Binary) and said.operator == "..." else [said, said]
+        first, last = (found[0].number if len(found := self.of(end)) == 1 else None for end in ends)
+        return range(first, last + 1) if first is not None and last is not None and 0 <= first <= last < LIMIT else range(0)
 
 
 Values._methods = {
@@ -313,9 +316,26 @@ def _unsigned(expression: ccode.Expression | None) -> bool:
     return False
 
 
-def _truths(values: list[Value]) -> list[Value]:
-    """What is left of values that become truth values: 0 or 1."""
-    return [value if value.number is None else Value(int(bool(value.number)), value.origin) for value in values]
+def _in_type(values: list[Value], use: ccode.TypeUse | None) -> list[Value]:
+    """What is left of values in a type, or in the elements of an array."""
+    if use is None or use.pointerDepth or not 0 < use.bits < PIN_BITS:
+        return values
+    return [v if v.number is None else Value(left_in(use, v.number, use.bits, use.signed), v.origin) for v in values]
+
+
+def left_in(use: ccode.TypeUse, number: int, bits: int, signed: bool) -> int:
+    """What is left of a number in an object of an integer type (C99 6.3.1.2, 6.3.1.3), which may be a bit field.
+
+    Args:
+        use: the type, or that of an array whose element the object is.
+        number: the number that is stored.
+        bits: the width of the object.
+        signed: whether it has a sign.
+    """
+    if str(use.canonical).removeprefix("const ").partition("[")[0] in BOOLEAN:
+        return int(bool(number))
+    number %= 1 << bits
+    return number - (1 << bits) if signed and number >> (bits - 1) else number
 
 
 def _distinct(values: list[Value]) -> list[Value]:
@@ -417,8 +437,10 @@ A = TypeVar("A")
 B = TypeVar("B")
 Question = Callable[[], A]
 
-DEEPEST = 60
-"""Depth of nested names; a longer chain is restarted from its deepest name, so that Python's own stack suffices."""
+DEEPEST = 100
+"""Depth of nested names and expressions; a longer chain restarts from its deepest name, so that Python's own stack suffices."""
+_NAME = 2
+"""How many nested expressions take as much of Python's stack as a nested name."""
 MOST_REPEATS = 1000
 """How often one question may evaluate names again that depend on themselves and whose answer is therefore not kept."""
 
@@ -449,6 +471,7 @@ class BoundedWalk(Generic[A]):
         self._known: dict[Hashable, A] = {}
         self._active: dict[Hashable, int] = {}
         self._lowest = 0
+        self._nested = 0
         self._begin()
 
     def _begin(self) -> None:
@@ -463,7 +486,11 @@ class BoundedWalk(Generic[A]):
             question: computes the answer; it may be called more than once.
         """
         if self._active:
-            return question()
+            self._nested += 1
+            try:
+                return question()
+            finally:
+                self._nested -= 1
         first: list[_TooDeep[A]] = []
         while True:
             self._begin()
@@ -495,7 +522,7 @@ class BoundedWalk(Generic[A]):
         if key in self._known:
             return self._known[key]
         depth = len(self._active)
-        if depth >= DEEPEST:
+        if depth * _NAME + self._nested >= DEEPEST:
             raise _TooDeep(key, lambda: self.name(guard, key, answer))
         self._repeats += key in self._asked
         self._asked.add(key)

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.transformations.queries.values import DEEPEST, BoundedWalk
+from tests.running import run
 
 
 def pins(source: str, folder: Path) -> set[int | None]:
@@ -34,6 +35,13 @@ def test_a_long_chain_of_calls_is_followed_to_its_end(tmp_path: Path) -> None:
     n = 400
     calls = "".join(f"void f{i}(int a){{ f{i + 1}(1-a); }}\n" for i in range(n - 1, -1, -1))
     assert pins(f"void f{n}(int a){{ high(a+4); }}\n{calls}", tmp_path) == {5}
+
+
+def test_a_chain_of_names_in_nested_expressions_is_followed_to_its_end(tmp_path: Path) -> None:
+    names = "".join(f"int x{i} = {'(' * 20}x{i - 1}{' + 1)' * 20};\n" for i in range(1, 60))
+    (tmp_path / "robot.c").write_text(f'#include "simpletools.h"\nint x0 = -1177;\n{names}int main() {{ high(x59); }}\n')
+    [unit] = run("analyse", "--json", tmp_path / "robot.c").result["units"]
+    assert [use["pin"] for use in unit["pin_uses"]] == [3]
 
 
 def test_an_array_that_is_handed_on_on_very_many_ways_is_one(tmp_path: Path) -> None:

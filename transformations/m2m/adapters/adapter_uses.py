@@ -43,11 +43,12 @@ def called_functions(
     own = _own_names(views)
     found: dict[str, CalledFunction] = {}
     for view in views:
+        macros = {str(macro.name) for unit in (view.unit, *included(view.unit)) for macro in unit.macros}
         for function in [*view.called().values(), *_referenced(view)]:
             there = function.header in target.standard_headers and function.name not in names.absent
             there = there and not _RESERVED.match(function.name) and not adapts(function.name, function.header)
             there = there or (function.entry is None and function.name in names.same)
-            if there or function.name in own or (function.entry is None and not function.calls):
+            if there or function.name in macros or view.defined(function.name) or (function.entry is None and not function.calls):
                 continue
             known = found.get(function.name)
             if known is None:

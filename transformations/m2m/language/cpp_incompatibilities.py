@@ -7,7 +7,7 @@ model. What an edit can mend is in `language_gap` and the modules that it lists.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from itertools import chain
 
@@ -61,7 +61,7 @@ def cpp_incompatibilities(view: CodeView, data: bytes) -> list[Form]:
         data: its bytes.
     """
     words = [word for word in tokens(data) if word[0] not in ("comment", "directive")]
-    found = [*_choices_by_type(data), *_types_in_place(words), *_late_enumerations(words)]
+    found = [*_words_of_c(data), *_types_in_place(words), *_late_enumerations(words)]
     found += [*_hidden_types(view), *_pointer_sizes(words)]
     for each in empty_types(view, data):
         if each.parameters is None:
@@ -88,10 +88,19 @@ def _uses_of_main(view: CodeView) -> Iterator[Form]:
         yield int(use.startOffset), message, "move the statements of main to a function of their own, and let main call it"
 
 
-def _choices_by_type(data: bytes) -> Iterator[Form]:
+_ONLY_IN_C: Mapping[str, tuple[str, str]] = {
+    "_Atomic": ("C++ has no types of C's kind that are atomic (_Atomic)", "declare it volatile, and use it with interrupts off"),
+    "_Generic": ("C++ has no choice by type (_Generic)", "write the branch that you need, or a function for each type"),
+    "_Thread_local": ("C++ has no variables of that kind (_Thread_local)", "write an array with an element for each core"),
+}
+"""Keyword of C that C++ does not have -> what is wrong, and what to do."""
+
+
+def _words_of_c(data: bytes) -> Iterator[Form]:
+    """Uses of keywords that C++ does not have, and that no other text replaces."""
     for start, _, name in name_tokens(data):
-        if name == "_Generic":
-            yield start, "C++ has no choice by type (_Generic)", "write the branch that you need, or a function for each type"
+        if name in _ONLY_IN_C:
+            yield (start, *_ONLY_IN_C[name])
 
 
 def _types_in_place(words: Sequence[Token]) -> Iterator[Form]:

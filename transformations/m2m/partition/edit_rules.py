@@ -291,6 +291,7 @@ RULES: dict[str, EditRule] = {
     "value-and-end-of-main": _value_and_go_on,
     "main-prototype": _out,
     "rename": _rename,
+    "rename-here": _rename,
     "rename-tag": _rename_tag,
     "qualify-type": _qualify_type,
     "linkage-of-c": _branch_out,

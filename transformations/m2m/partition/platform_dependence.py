@@ -48,7 +48,7 @@ from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.partition.concurrency import concurrency
 from robosmi.transformations.m2m.partition.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.partition.hoisting import hoist
-from robosmi.transformations.m2m.partition.renaming import RENAME, renamings
+from robosmi.transformations.m2m.partition.renaming import RENAME, RENAME_HERE, hidden_adapters, renamings
 from robosmi.transformations.m2m.partition.text_changes import change_texts
 from robosmi.transformations.queries.adapter_signature import target_signature, target_types
 from robosmi.transformations.queries.code import CodeView
@@ -60,7 +60,7 @@ from robosmi.transformations.queries.source_text import SourceText, is_header, w
 T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
 rewrite, OWN = migration.Action.rewrite, migration.SignatureSource.program
-TEXT_RULES = LANGUAGE_RULES | {RENAME}
+TEXT_RULES = LANGUAGE_RULES | {RENAME, RENAME_HERE}
 """Rules that each change a small part of an element's text, so that several of them can apply to one element."""
 
 
@@ -286,6 +286,8 @@ def _change_unit_texts(
     renamed = {r.name: r for r in renamings(views, sources, names)}
     for renaming in renamed.values():
         change(renaming.element, RENAME, renaming.new, renaming.reason)
+    for renaming in hidden_adapters(views, sources, names, {str(a.name) for a in result.adapters if a.adapter is not None}):
+        change(renaming.element, RENAME_HERE, renaming.new, renaming.reason)
     adapted = {a.name for a in result.adapters if a.signatureSource is OWN and a.adapter is None}
     served = {a.name for a in result.adapters if a.signatureSource is OWN and a.adapter is not None}
     for view in views if served else ():

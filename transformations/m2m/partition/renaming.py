@@ -8,7 +8,7 @@ stays.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
@@ -19,6 +19,8 @@ from robosmi.transformations.queries.macros.tokens import name_tokens
 
 RENAME = "rename"
 """Rule of dispositions: the name differs in the sketch."""
+RENAME_HERE = "rename-here"
+"""Rule of dispositions: the name differs in the sketch, in one file."""
 
 
 class Renaming(Struct, frozen=True):
@@ -62,13 +64,40 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
         else:
             continue
         if taken is None:
-            taken = {text for view in views for _, _, text in name_tokens(sources[view.unit.path])}
-        new = f"{name}_"
-        while new in taken or new in names.macros | names.declared | names.keywords:
-            new += "_"
-        taken.add(new)
-        found[name] = Renaming(declaration, name, new, reason)
+            taken = _words(views, sources)
+        found[name] = Renaming(declaration, name, _free(name, taken, names), reason)
     return list(found.values())
+
+
+def hidden_adapters(
+    views: Sequence[CodeView], sources: Mapping[str, bytes], names: TargetNames, served: Collection[str]
+) -> list[Renaming]:
+    """The static functions that have the name of an adapter, which other files of the program call; each changes in its file.
+
+    Args:
+        views: a view of each unit.
+        sources: path of a unit -> its bytes.
+        names: the target's names.
+        served: the functions that have an adapter.
+    """
+    found = [d for view in views for d in view.unit.declarations if isinstance(d, ccode.Function) and d.name in served]
+    hiding = [each for each in found if each.definition and each.storage is ccode.Storage.staticStorage]
+    taken = _words(views, sources) if hiding else set()
+    reason = "an adapter that other files call has the name of a static function"
+    return [Renaming(each, str(each.name), _free(str(each.name), taken, names), reason) for each in hiding]
+
+
+def _words(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> set[str]:
+    return {text for view in views for _, _, text in name_tokens(sources[view.unit.path])}
+
+
+def _free(name: str, taken: set[str], names: TargetNames) -> str:
+    """A new name like another one that nothing has; it is taken then."""
+    new = f"{name}_"
+    while new in taken or new in names.macros | names.declared | names.keywords:
+        new += "_"
+    taken.add(new)
+    return new
 
 
 def _in_c_alone(macro: ccode.Macro, unit: ccode.SourceUnit) -> bool:

@@ -186,3 +186,23 @@ def type_name(use: ccode.TypeUse | None) -> str:
     """The name of a type without qualifiers, pointers and references; empty for none."""
     words = str(use.spelling).replace("*", " ").replace("&", " ").split() if use is not None else []
     return " ".join(word for word in words if word not in ("const", "volatile", "struct", "class"))
+
+
+def statics(views: Sequence[CodeView]) -> dict[tuple[int, str], ccode.Declaration]:
+    """(`id` of a unit, name) -> its static variable of that name, the first of several."""
+    found: dict[tuple[int, str], ccode.Declaration] = {}
+    for view, declaration in ((v, d) for v in views for d in v.unit.declarations):
+        if isinstance(declaration, ccode.Variable) and declaration.storage is ccode.Storage.staticStorage:
+            found.setdefault((id(view.unit), str(declaration.name)), declaration)
+    return found
+
+
+def shared_names(views: Sequence[CodeView]) -> dict[str, ccode.Declaration]:
+    """Name -> the variable or enumerator that all files of a program mean by it."""
+    found: dict[str, ccode.Declaration] = {}
+    for declaration in (d for view in views for d in view.unit.declarations):
+        if isinstance(declaration, ccode.Variable) and declaration.storage is not ccode.Storage.staticStorage:
+            found.setdefault(str(declaration.name), declaration)
+        elif isinstance(declaration, ccode.Enumeration):
+            found.update({str(literal.name): literal for literal in declaration.literals})
+    return found

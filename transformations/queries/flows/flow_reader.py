@@ -7,6 +7,7 @@ It fills `value_flows`. Other uses of a value are collected by `value_uses`, bod
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
 
@@ -15,13 +16,13 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import truth_values, type_of
+from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
-from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, type_name
+from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, shared_names, statics, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
 from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
-from robosmi.transformations.queries.flows.pin_uses import pin_number
+from robosmi.transformations.queries.flows.pin_uses import CutNumbers, pin_number
 from robosmi.transformations.queries.flows.pointed_calls import called_lambdas
 from robosmi.transformations.queries.flows.pointers import (
     gives_access,
@@ -32,7 +33,7 @@ from robosmi.transformations.queries.flows.pointers import (
 )
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
-from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
+from robosmi.transformations.queries.macros.argument_places import Holders, TokenText, passed_to_macros
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.own_headers import is_member
 from robosmi.transformations.queries.values import calls_of_value
@@ -61,8 +62,7 @@ class FlowReader:
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
         self.constants = {} if not views else {n: v for n, v in views[0].api.pin_constants.items() if n not in self.macros}
         """Constant of the platform that is a pin of the board -> its number."""
-        self._truths = truth_values(views, sources)
-        """`id` of each expression whose value becomes 0 or 1."""
+        self._cut = CutNumbers(views, sources)
         self.classes = Classes(views)
         self.functions = OwnFunctions(views, self.classes)
         self.called = self.functions.called
@@ -81,19 +81,10 @@ class FlowReader:
             for d in v.unit.declarations
             if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.externStorage
         }
-        self._static: dict[tuple[int, str], ccode.Declaration] = {}
-        """(`id` of a unit, name) -> its static variable of that name, the first of several."""
-        for view, declaration in ((v, d) for v in views for d in v.unit.declarations):
-            if isinstance(declaration, ccode.Variable) and declaration.storage is ccode.Storage.staticStorage:
-                self._static.setdefault((id(view.unit), str(declaration.name)), declaration)
+        self._static = statics(views)
+        self._shared = shared_names(views)
         self._places: dict[int, int] = {}
         """`id` of a parameter -> its place among those of its function."""
-        self._shared: dict[str, ccode.Declaration] = {}
-        for declaration in (d for view in views for d in view.unit.declarations):
-            if isinstance(declaration, ccode.Variable) and declaration.storage is not ccode.Storage.staticStorage:
-                self._shared.setdefault(str(declaration.name), declaration)
-            elif isinstance(declaration, ccode.Enumeration):
-                self._shared.update({str(literal.name): literal for literal in declaration.literals})
         pointed, own = pointed_functions(views)
         known = {str(reference.name): view for reference, view in pointed} if not own else {}
         self.pointed = {p.position: (name, p) for name, view in known.items() for p in self.pins(name, view)}
@@ -101,7 +92,8 @@ class FlowReader:
         self._other_pointed = bool(known) and any(pinless_functions(views))
         """Whether calls through pointers may reach functions that take another number in a pin's place."""
         for view in views:
-            self._macro_arguments(view)
+            for place, taker in passed_to_macros(view.unit, self.texts[view.unit.path], self.macros):
+                self.given.setdefault(place, []).append(taker)
 
     # ---- what things are
 
@@ -134,8 +126,8 @@ class FlowReader:
         if expression is None:  # in text that the parser could not read
             self._unread += 1
             return self._once(("unread", self._unread), "it is in text that could not be parsed")
-        if id(expression) in self._truths and not isinstance(expression, ccode.IntegerLiteral):
-            return self._once(("truth", id(expression)), f"line {expression.line} makes it 0 or 1")
+        if not isinstance(expression, ccode.IntegerLiteral) and (left := self._cut.left(expression)) is not None:
+            return self._narrowed(expression, left)
         if isinstance(expression, ccode.Cast):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -240,6 +232,18 @@ class FlowReader:
         for one, other in zip(*fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
             self.flows.join(*keys)
+            if one.bitWidth != other.bitWidth:
+                self.flows.freeze(keys[0], f"line {cast.line} casts it", computed=True)
+
+    def _narrowed(self, expression: ccode.Located, left: Sequence[int | None]) -> Hashable:
+        """The key of what a narrow type leaves of a value."""
+        key, unit = ("cut", id(expression)), ancestor_of_kind(expression, ccode.SourceUnit)
+        if key not in self._known and unit is not None:
+            self._known.add(key)
+            self.flows.freeze(key, f"line {expression.line} makes it narrower", computed=None in left)
+            for number in (number for number in left if number is not None):
+                self.put(key, unit, int(expression.startOffset), int(expression.endOffset), number, expression, "")
+        return key
 
     def _once(self, key: Hashable, why: str) -> Hashable:
         self.flows.freeze(key, why, computed=True)
@@ -253,9 +257,9 @@ class FlowReader:
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
             start, end, number = int(literal.startOffset), int(literal.endOffset), int(literal.value)
-            if id(literal) in self._truths:
-                number = int(bool(number))
-                self.flows.freeze(key, f"line {literal.line} makes it 0 or 1")
+            if (left := self._cut.left(literal)) is not None:
+                number = left[0] or 0
+                self.flows.freeze(key, f"line {literal.line} makes it {number}")
             self.put(key, unit, start, end, pin_number(number), holder, name, within)
             if not _WRITTEN.match(self.sources[unit.path], start, end):
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
@@ -346,7 +350,7 @@ class FlowReader:
         """Join the flow of a thing with that of an expression which it is given."""
         self.flows.join(taker, self.value(expression))
         unit = ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None
-        if unit is not None and expression is not None and id(expression) not in self._truths:
+        if unit is not None and expression is not None and self._cut.left(expression) is None:
             self.flows.of(taker).given.append((unit, expression))
 
     def _taken(self, reference: ccode.NameReference) -> None:
@@ -420,7 +424,7 @@ class FlowReader:
     def _one_place(self, union: ccode.Record) -> None:
         """Join the members of a union, which are one place in memory."""
         keys = [self._field(str(field.name), record_key(union)) for field in union.fields]
-        types = {type_name(field.valueType) for field in union.fields}
+        types = {(type_name(field.valueType), field.bitWidth) for field in union.fields}
         for key in keys:
             self.flows.join(keys[0], key)
             if len(types) > 1:
@@ -439,13 +443,22 @@ class FlowReader:
             return
         types = listed_types(values, self.classes, self.sources, self.called)
         for use in types:
-            for member, value in members_given(use, values):
-                self._give(self._field(str(member.name), record_key(member.eContainer())), value)
+            self._give_members(use, values)
         if not types:
             records = (e for view in self.views for e in view.of_kind(ccode.Record) if len(e.fields) >= len(values.elements))
             for field in (field for record in records for field in record.fields):
                 key = self._field(str(field.name), record_key(field.eContainer()))
                 self.flows.freeze(key, f"a list may give it a value (line {values.line})", computed=True)
+
+    def _give_members(self, use: ccode.TypeUse | None, values: ccode.InitializerList) -> None:
+        """Give the members of a structure, or of an array of them, the values of a list."""
+        given = list(members_given(use, values))
+        takers = Counter(id(value) for _, value in given)
+        for member, value in given:
+            key = self._field(str(member.name), record_key(member.eContainer()))
+            self._give(key, value)
+            if member.bitWidth and takers[id(value)] > 1:
+                self.flows.freeze(key, f"a list without braces may give it a value (line {values.line})", computed=True)
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -454,8 +467,7 @@ class FlowReader:
             return
         if record_of(use) is not None and variable.initializer is not None:
             if isinstance(variable.initializer, ccode.InitializerList):
-                for member, value in members_given(use, variable.initializer):
-                    self._give(self._field(str(member.name), record_key(member.eContainer())), value)
+                self._give_members(use, variable.initializer)
             else:
                 self.flows.freeze(self.value(variable.initializer), f"'{variable.name}' is a structure")
             return
@@ -563,18 +575,6 @@ class FlowReader:
             entry = view.resolve(name)
             facts = view.api.pins(name, entry.header if entry is not None else "")
         return facts.parameters if facts is not None else ()
-
-    def _macro_arguments(self, view: CodeView) -> None:
-        """Record the places of macro arguments in `given`, since the macro's body decides what becomes of them."""
-        text = self.texts[view.unit.path]
-        for use in view.unit.macroUses:
-            macro = use.macro or self.macros.get(str(use.name))
-            if macro is None or not macro.functionLike:
-                continue
-            for i, argument in enumerate(text.arguments(text.at(int(use.startOffset))) or []):
-                if argument:
-                    place = (view.unit.path, argument[0][1], argument[-1][2])
-                    self.given.setdefault(place, []).append(("macro parameter", str(macro.name), i))
 
     @cached_property
     def _declared(self) -> dict[str, list[Hashable]]:

@@ -6,17 +6,19 @@ computes the values of arguments. Register masks, bodies of macros and other fil
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import Convention, PinParameter
 from robosmi.transformations.knowledge.platforms.board_pins import CHANNEL
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.expression_type import cut_values
 from robosmi.transformations.queries.values import RUNTIME, Value, Values
 
 
@@ -56,11 +58,43 @@ class PinUse(Struct, frozen=True):
 
 
 _HALF = 1 << 31
+_PINS = 127
+"""No board has a pin of a greater number."""
 
 
 def pin_number(value: int) -> int:
     """The value of a 32-bit signed pin parameter that is given a number."""
     return (value + _HALF) % (2 * _HALF) - _HALF
+
+
+class CutNumbers:
+    """What types narrower than int leave of the numbers of pins that are stored in them.
+
+    Args:
+        views: a view of each of the program's units.
+        sources: path of a unit -> its bytes.
+    """
+
+    def __init__(self, views: Sequence[CodeView], sources: Mapping[str, bytes]) -> None:
+        self._views = {id(view.unit): view for view in views}
+        self._kinds = cut_values(views, sources)
+
+    def left(self, expression: ccode.Located) -> list[int | None] | None:
+        """The numbers that are left of an expression's values, None for one that is not known; None if surely all are left.
+
+        A literal whose type does not hold the pins of every target is cut, too, as its number may be changed.
+        """
+        if id(expression) not in self._kinds:
+            return None
+        kind = self._kinds[id(expression)]
+        if isinstance(expression, ccode.IntegerLiteral):
+            number = int(expression.value)
+            return None if kind.left(number) == number and kind.left(_PINS) == _PINS else [kind.left(number)]
+        view = self._views[id(ancestor_of_kind(expression, ccode.SourceUnit))]
+        numbers = [value.number for value in view.values.of(expression)]
+        left = [None if number is None else kind.left(number) for number in numbers]
+        last = view.api.ports - 1
+        return None if left == numbers and (None not in numbers or kind.left(last) == last) else left
 
 
 def pin_uses(views: Sequence[CodeView]) -> list[PinUse]:

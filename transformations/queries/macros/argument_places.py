@@ -7,7 +7,7 @@ finds the macro definition or use that contains a place.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
@@ -98,3 +98,16 @@ class Holders:
         """The outermost macro definition or use that contains a byte offset, None if there is none."""
         index = bisect_right(self._all, offset, key=lambda one: one[0]) - 1
         return self._all[index][2] if index >= 0 and offset < self._all[index][1] else None
+
+
+def passed_to_macros(
+    unit: ccode.SourceUnit, text: TokenText, macros: Mapping[str, ccode.Macro]
+) -> Iterator[tuple[tuple[str, int, int], tuple[str, str, int]]]:
+    """Each argument of a macro use, as (path, start, end), with the macro's parameter, whose body decides what becomes of it."""
+    for use in unit.macroUses:
+        macro = use.macro or macros.get(str(use.name))
+        if macro is None or not macro.functionLike:
+            continue
+        for i, argument in enumerate(text.arguments(text.at(int(use.startOffset))) or []):
+            if argument:
+                yield (str(unit.path), argument[0][1], argument[-1][2]), ("macro parameter", str(macro.name), i)

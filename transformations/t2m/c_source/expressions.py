@@ -283,7 +283,10 @@ def _initializer_list(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def _element(context: UnitContext, node: Node) -> ccode.Expression:
-    """An element of an initialiser list; `.name = value` and `[index] = value` become assignments without an object."""
+    """An element of an initialiser list; `.name = value` and `[index] = value` become assignments without an object.
+
+    The index of GNU C's `[first ... last] = value` is a binary expression with `...`.
+    """
     if node.kind != UNEXPOSED or len(node.children) < 2:
         return expression(context, node)
     value = expression(context, node.children[-1])
@@ -293,7 +296,12 @@ def _element(context: UnitContext, node: Node) -> ccode.Expression:
     if designator.kind == cursor_kinds.MEMBER_REF:  # MEMBER_REF
         left = ccode.Member(name=context.spelling(designator.cursor), **place)
     else:
-        left = ccode.Index(index=expression(context, designator), **place)
+        first = node.children[-3] if len(node.children) > 2 else designator
+        index = expression(context, designator)
+        if b"..." in context.source.data[first.end : designator.start]:
+            place = context.source.place(first.start, designator.end)
+            index = ccode.Binary(operator="...", left=expression(context, first), right=index, **place)
+        left = ccode.Index(index=index, **place)
     return ccode.Assignment(operator="=", left=left, right=value, **context.source.place(node.start, node.end))
 
 

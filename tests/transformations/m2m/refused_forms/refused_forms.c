@@ -41,3 +41,5 @@ taker *takers[2] = { one, two };
 asker ask = none;
 void early(int) __attribute__((constructor));  // told
 void late_enough(void);
+_Atomic int counted;  // told
+static _Thread_local int mine;  // told

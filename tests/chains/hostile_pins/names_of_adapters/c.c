@@ -1,0 +1,3 @@
+static int sum;
+#define low(number) (sum -= (number))
+void c(void) { low(3); }
