@@ -181,9 +181,13 @@ def _compiled_by_core(
 
 def _without_options(board: Board, boards: list[Board], toolchain: Toolchain) -> Board | None:
     """The board with data that a full name with options of menus names, if its core builds its programs; else None."""
-    plain = ":".join(board.name.split(":")[:3])
-    others = (each for each in boards if each.architecture != toolchain.architecture)
-    return next((each for each in others if plain in each.full_names), None)
+    plain, given = board.name.split(":")[:3], set(board.name.split(":", 3)[-1].split(","))
+    found: list[tuple[int, Board]] = []
+    for each in (each for each in boards if each.architecture != toolchain.architecture):
+        for name in (name.split(":", 3) for name in each.full_names):
+            if name[:3] == plain and (own := set(",".join(name[3:]).split(",")) - {""}) <= given:
+                found.append((len(own), each))
+    return max(found, key=lambda each: each[0])[1] if found else None
 
 
 def _no_data(board: Board, sketch: Sketch) -> Finding:

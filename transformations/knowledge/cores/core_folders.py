@@ -132,6 +132,7 @@ class ArduinoCore:
                 wrong, among = (option, list(known_here)) if known_here else (menu, list(menus))
                 kind = "option" if known_here else "menu"
                 fix = f"use one of: {', '.join(among)}" if among else "leave the options out"
+                fix += ", or install the core, which may have more than this stand-in" if self.stand_in else ""
                 raise UsageError(
                     f"'{name}': {what} has no {kind} '{wrong}'{did_you_mean(wrong, among)}",
                     location=Location(str(self.folder / "boards.txt")), fix=fix,

@@ -44,6 +44,20 @@ def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoar
     return InstalledBoard(board, recipes, full.architecture, stand_in, how_to_install(full) if core.stand_in else "")
 
 
+def core_properties(full_name: str) -> dict[str, str]:
+    """What a board's core says of it with its options of menus; the registry's query of that name. Nothing without the core.
+
+    Raises:
+        UsageError: this is no full name of a board, or the core has no such board, menu or option.
+        SourceError: the core is damaged.
+    """
+    name = BoardName.parse(full_name)
+    try:
+        return find_core(name).board(name)
+    except MissingToolError:
+        return {}
+
+
 def _first_installed(names: Sequence[BoardName]) -> tuple[BoardName, ArduinoCore]:
     """A name whose core is there, and the core.
 
