@@ -290,7 +290,7 @@ def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Boar
     own = str(mapping.boardId)
     before, after = (content("query", "core_properties")(name) for name in (own, full_name))
     if other := [f"{key}={after[key]}" for key in _OF_BOARD if after.get(key) != before.get(key)]:
-        what = f"the options of '{full_name}' choose another board than '{board.name}', which has no data here: {', '.join(other)}"
+        what = f"the options of '{full_name}' choose another board than '{board.name}': {', '.join(other)}"
         raise UsageError(what, fix=f"use --target {own}, or add the board's data: docs/how-to/add-a-target.md")
     mapping.boardId, mapping.otherIds = full_name, [own, *(name for name in mapping.otherIds if name != full_name)]
     mapping.platformioSettings.append(f"; {full_name}: PlatformIO has names of its own for options of menus")
