@@ -177,7 +177,22 @@ def find_core(name: BoardName) -> ArduinoCore:
 
 def how_to_install(name: BoardName) -> str:
     """What the user does who has not the core of a board."""
-    return f"install it: {install_command(name.vendor, name.architecture)}, or let {ENV} name its folder"
+    places = (Path(text).expanduser() / "packages" for text in DATA_FOLDERS)
+    half = _lacking(each for place in places for each in place.glob(f"{name.vendor}/hardware/{name.architecture}/*"))
+    again = f" again ({half})" if half else ""
+    install = f"install it{again}: {install_command(name.vendor, name.architecture)}"
+    wrong = _lacking(_given())
+    return f"correct {ENV} ({wrong}), or {install}" if wrong else f"{install}, or let {ENV} name its folder"
+
+
+def _lacking(folders: Iterable[Path]) -> str:
+    """What those of the folders lack that are none of a core; empty if all are."""
+    texts = (f"{each} {'has no boards.txt' if each.is_dir() else 'is no folder'}" for each in folders if not is_core(each))
+    return ", ".join(texts)
+
+
+def _given() -> list[Path]:
+    return [Path(text).expanduser() for text in os.environ.get(ENV, "").split(os.pathsep) if text]
 
 
 def install_command(vendor: str, architecture: str) -> str:
@@ -197,8 +212,7 @@ def installed_cores(architecture: str) -> list[ArduinoCore]:
 
     Those of the package, which stand in for the real ones, come last.
     """
-    named = [Path(text).expanduser() for text in os.environ.get(ENV, "").split(os.pathsep) if text]
-    found = [core for folder in named if (core := _named(folder, architecture)) is not None]
+    found = [core for folder in _given() if (core := _named(folder, architecture)) is not None]
     for text in DATA_FOLDERS:
         packages = Path(text).expanduser() / "packages"
         folders = sorted(packages.glob(f"*/hardware/{architecture}/*"), key=lambda path: version_key(path.name), reverse=True)
