@@ -13,7 +13,6 @@ from robosmi.transformations.knowledge.cores.core_folders import (
     BoardName,
     architectures,
     find_core,
-    how_to_install,
     installed_cores,
 )
 from robosmi.transformations.knowledge.cores.core_properties import expand, read_properties, split
@@ -233,7 +232,6 @@ def test_a_folder_that_is_no_core_is_named_with_what_it_lacks(
     assert f"correct ROBOSMI_CORE ({tmp_path} has no boards.txt, {tmp_path / 'gone'} is no folder)" in fix
     assert "install it again (" in fix
     assert "1.2.3 has no boards.txt): arduino-cli core install lab:toy" in fix
-    assert "correct ROBOSMI_CORE" in how_to_install(BoardName("rp2040", "rp2040", "rpipico"))  # of RS806
 
 
 def test_a_core_of_another_architecture_does_not_hide_the_installed_one(monkeypatch: pytest.MonkeyPatch) -> None:

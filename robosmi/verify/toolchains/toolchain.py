@@ -171,7 +171,8 @@ def _compiled_by_core(
     if report.ok and not report.fits:
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
     if found.stand_in:
-        message = f"the core '{found.stand_in}' is not installed; compiled with a stand-in, which is only for checks"
+        why = f" ({found.lacking})" if found.lacking else ""
+        message = f"the core '{found.stand_in}' is not installed{why}; compiled with a stand-in, which is only for checks"
         evidence = {"core": found.stand_in}
         used = Finding(STAND_IN_USED, Severity.info, message, Location(str(sketch.main)), fix=found.install, evidence=evidence)
         report = replace(report, stand_in_core=found.stand_in, diagnostics=(used, *report.diagnostics))

@@ -177,16 +177,19 @@ def find_core(name: BoardName) -> ArduinoCore:
 
 def how_to_install(name: BoardName) -> str:
     """What the user does who has not the core of a board."""
+    given, installed = lacking(name)
+    install = f"install it{f' again ({installed})' if installed else ''}: {install_command(name.vendor, name.architecture)}"
+    return f"correct {ENV} ({given}), or {install}" if given else f"{install}, or let {ENV} name its folder"
+
+
+def lacking(name: BoardName) -> tuple[str, str]:
+    """What folders lack that are none of a core: those of `ROBOSMI_CORE`, and those where the core of a board is installed."""
     places = (Path(text).expanduser() / "packages" for text in DATA_FOLDERS)
-    half = _lacking(each for place in places for each in place.glob(f"{name.vendor}/hardware/{name.architecture}/*"))
-    again = f" again ({half})" if half else ""
-    install = f"install it{again}: {install_command(name.vendor, name.architecture)}"
-    wrong = _lacking(_given())
-    return f"correct {ENV} ({wrong}), or {install}" if wrong else f"{install}, or let {ENV} name its folder"
+    installed = (each for place in places for each in place.glob(f"{name.vendor}/hardware/{name.architecture}/*"))
+    return _lacking(_given()), _lacking(installed)
 
 
 def _lacking(folders: Iterable[Path]) -> str:
-    """What those of the folders lack that are none of a core; empty if all are."""
     texts = (f"{each} {'has no boards.txt' if each.is_dir() else 'is no folder'}" for each in folders if not is_core(each))
     return ", ".join(texts)
 
