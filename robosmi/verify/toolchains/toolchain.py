@@ -17,7 +17,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, RobosmiError, SourceError, UsageError
 from robosmi.inputs import read_once
 from robosmi.plugins import content
-from robosmi.verify.toolchains.board_check import board_findings
+from robosmi.verify.toolchains.board_check import board_findings, size_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
 from robosmi.verify.toolchains.compile_report import (
@@ -105,7 +105,12 @@ def _compiled(
         values = {**chosen.values, **({_CLOCK: str(changed.clock_hz)} if changed.clock_hz else {})}
         chosen = chosen._replace(values=values, extra_flags=(*chosen.extra_flags, *changed.flags))
     if chosen.architecture != toolchain.architecture:
-        report = _compiled_by_core(sketch, _by_its_core(chosen, toolchain), toolchain, keep, project)
+        found = _by_its_core(chosen, toolchain)
+        report = _compiled_by_core(sketch, found._replace(board=chosen), toolchain, keep, project)
+        told = (
+            size_findings(chosen, found.board) if found.board.name in chosen.full_names else []
+        )  # else a stand-in for any board
+        report = replace(report, diagnostics=(*told, *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     installed = find_installed(toolchain)
     index = LibraryFolders(toolchain, installed.core, project)
@@ -128,7 +133,7 @@ def _compiled(
 
 
 def _by_its_core(board: Board, toolchain: Toolchain) -> InstalledBoard:
-    """A board with data whose programs another core builds than that of the toolchain.
+    """A board with data whose programs another core builds than that of the toolchain, as that core describes it.
 
     Raises:
         MissingToolError: no such core is installed, or its compiler is not.
@@ -143,7 +148,7 @@ def _by_its_core(board: Board, toolchain: Toolchain) -> InstalledBoard:
             location=where,
             fix="name in the board's file, first of its full names, the one in the core that builds for it",
         )
-    return found._replace(board=board)
+    return found
 
 
 def _board_without_data(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
