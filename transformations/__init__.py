@@ -61,6 +61,7 @@ _CONTENT = {
     ("chain", "wiring"): "chains.wiring:wiring",
     ("chain", "with_verdict"): "chains.verify:with_verdict",
     ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",
+    ("query", "core_properties"): "knowledge.cores.installed_board:core_properties",
     ("query", "installed_board"): "knowledge.cores.installed_board:installed_board",
     ("query", "default_library_platform"): "knowledge.libraries.library_ranking:default_library_platform",
     ("query", "stack_bound"): "verification.stack.machine_stack:stack_bound",

@@ -63,3 +63,4 @@ def test_what_of_a_board_is_not_simulated_is_said() -> None:
     assert "LED" in known()["picow"]["not_simulated"]
     assert "not simulated: the LED" in run("targets").out
     assert known()["pico"]["not_simulated"] is None
+    assert known()["leonardo"]["not_simulated"] == "the console over USB"

@@ -94,10 +94,64 @@ def test_an_unknown_target_offers_the_nearest(project: Path) -> None:
         target_facts("nanno")
 
 
-def test_options_of_a_menu_belong_to_compile(project: Path) -> None:
-    with pytest.raises(UsageError, match="'freq=133' are options of a menu") as caught:
-        target_facts("rp2040:rp2040:rpipico:freq=133")
-    assert "compile OUT --board rp2040:rp2040:rpipico:freq=133" in (caught.value.fix or "")
+def full_name_and_clock(target: str) -> tuple[str, int]:
+    model = target_facts(target).model
+    assert model.platform is not None
+    assert model.board is not None
+    return str(model.platform.boardMappings[0].boardId), int(model.board.clockHertz)
+
+
+def test_options_of_menus_stay_in_the_full_name_and_set_the_clock(project: Path) -> None:
+    options = "STMicroelectronics:stm32:Nucleo_64:pnum=NUCLEO_F401RE,opt=o3std"  # its core is not there: nothing is refused
+    assert full_name_and_clock(options)[0] == options
+    assert full_name_and_clock("rp2040:rp2040:rpipico:freq=133") == ("rp2040:rp2040:rpipico:freq=133", 133_000_000)
+    assert full_name_and_clock("rp2040:rp2040:rpipico:")[0] == "rp2040:rp2040:rpipico"
+
+
+def test_of_boards_with_one_name_the_one_with_most_of_the_options_is_meant() -> None:
+    assert target_facts("arduino:avr:pro:cpu=8MHzatmega328").board == "pro8mhz"
+    assert target_facts("arduino:avr:pro:cpu=16MHzatmega328").board == "promini"
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ("freq=134", "menu 'freq' of 'rpipico' has no option '134'"),
+        ("fast=1", "has no menu 'fast'"),
+        ("freq", "is not the full name of a board"),
+    ],
+)
+def test_an_unknown_menu_or_option_is_refused_as_compile_does_it(options: str, why: str) -> None:
+    with pytest.raises(UsageError, match=why):
+        target_facts(f"rp2040:rp2040:rpipico:{options}")
+
+
+def test_options_that_choose_another_microcontroller_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    core = tmp_path / "hardware" / "arduino" / "avr"
+    core.mkdir(parents=True)
+    (core / "boards.txt").write_text(
+        "nano.name=Nano\nnano.menu.cpu.atmega328=new\nnano.menu.cpu.atmega328.build.mcu=atmega328p\n"
+        "nano.menu.cpu.atmega168=small\nnano.menu.cpu.atmega168.build.mcu=atmega168\n"
+    )
+    monkeypatch.setenv("ROBOSMI_CORE", str(core))
+    with pytest.raises(UsageError, match=r"choose another board than 'nano'.*build\.mcu=atmega168"):
+        target_facts("arduino:avr:nano:cpu=atmega168")
+
+
+def test_the_project_files_have_the_options(project: Path) -> None:
+    robosmi.migrate(["beacon.c"], "out", target="arduino:avr:nano:cpu=atmega328old")
+    assert "fqbn: arduino:avr:nano:cpu=atmega328old" in (project / "out" / "beacon" / "sketch.yaml").read_text()
+    assert "; arduino:avr:nano:cpu=atmega328old:" in (project / "out" / "beacon" / "platformio.ini").read_text()
+
+
+def test_a_pin_by_its_other_name_is_the_pin(tmp_path: Path) -> None:
+    """`D5` is GP5 of a Pico: the plan says so, and stays usable."""
+    source = tmp_path / "lamp.c"
+    source.write_text('#include "simpletools.h"\nint main() { high(5); }\n')
+    robosmi.migrate([source], tmp_path / "out", target="pico", bind={"P5": "D5"})
+    plan = load_models(tmp_path / "out" / "models" / "plan.xmi").plan
+    assert [binding.choice for binding in plan.portBindings] == ["GP5"]
+    assert run("check", tmp_path / "out" / "models" / "plan.xmi").code == 0
 
 
 def test_a_pin_table_without_a_board_means_the_targets(project: Path) -> None:

@@ -132,6 +132,19 @@ def test_a_pin_that_a_program_leaves_high_when_it_ends_stays_high() -> None:
     assert said(let_go) == [(0, "low"), (1, "high"), (1001, "low")]
 
 
+def test_a_wave_before_a_pin_that_is_left_high_ends_though_the_program_ended_at_once() -> None:
+    blinks = [*square(0.0, 25, 8), (320_000.0, 1)]
+    original = replace(trace(blinks), state="done", simulated_us=320_000.0, rests_until_us=3_000_000.0)
+    assert said(original) == said(replace(trace(blinks), simulated_us=3_000_000.0)) == [(0, "low"), (0, "25 Hz"), (320, "high")]
+
+
+def test_the_last_pulse_of_pwm_is_part_of_it_whole_or_cut_off() -> None:
+    """Its width goes up from 10 % to 90 %, by median it is a tone."""
+    widths = [width for width in (200, 600, 1000, 1400, 1800) for _ in range(25)]
+    whole = [(number * 2000 + at, level) for number, width in enumerate(widths) for at, level in ((0.0, 1), (width, 0))]
+    assert said(trace(whole)) == said(trace([*whole[:-1], (whole[-2][0] + 7.0, 0)])) == [(0, "low"), (0, "500 Hz"), (250, "low")]
+
+
 def test_pulses_of_no_steady_period_are_a_burst_of_so_many() -> None:
     edges: list[tuple[float, int]] = []
     at = 100_000.0

@@ -10,7 +10,7 @@ import pytest
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import PlatformDataError
 from robosmi.resources import built_in
-from robosmi.verify.toolchains.board_check import arrays, board_findings
+from robosmi.verify.toolchains.board_check import arrays, board_findings, size_findings
 from robosmi.verify.toolchains.boards import load_boards
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.toolchains.toolchain_data import load_toolchains
@@ -145,3 +145,14 @@ def test_compile_and_doctor_say_it(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def test_the_data_of_assembler_text() -> None:
     lines = ["\t.text", "ports:", "\t.byte\t4", "\t.zero\t2", "mask:", "\t.word\t258", "\t.word\tport+1", "\t.long\t-1"]
     assert arrays(lines) == {"ports": b"\x04\x00\x00", "mask": b"\x02\x01\x00\x00\xff\xff\xff\xff"}
+
+
+def test_sizes_that_the_core_of_another_architecture_contradicts_are_named() -> None:
+    pico = next(board for board in load_boards("arduino") if board.name == "pico")
+    assert size_findings(pico, pico) == []
+    assert size_findings(pico, pico._replace(flash_bytes=None, ram_bytes=None)) == []
+    (found,) = size_findings(pico, pico._replace(name=pico.full_names[0], ram_bytes=520_000))
+    assert (found.rule, found.severity) == ("RS810", Severity.warning)
+    assert "says ram_bytes 262144; the core's list has 520000 for 'rp2040:rp2040:rpipico'" in found.message
+    assert found.location is not None
+    assert found.location.line is not None

@@ -9,7 +9,12 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import MissingToolError, PlatformDataError, RobosmiError, SourceError, UsageError
-from robosmi.transformations.knowledge.cores.core_folders import BoardName, architectures, find_core, installed_cores
+from robosmi.transformations.knowledge.cores.core_folders import (
+    BoardName,
+    architectures,
+    find_core,
+    installed_cores,
+)
 from robosmi.transformations.knowledge.cores.core_properties import expand, read_properties, split
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.compiled_program import compile_into
@@ -214,6 +219,19 @@ def test_folders_of_the_environment_go_first_and_serve_their_architecture_only(
     assert find_core(BoardName("lab", "toy", "host")).folder == mine
     assert find_core(BoardName("lab", "esp32", "host")).folder == other
     assert (architectures(mine), architectures(other)) == ({"toy", "mine"}, {"esp32"})
+
+
+def test_a_folder_that_is_no_core_is_named_with_what_it_lacks(
+    home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (installed(home) / "boards.txt").unlink()
+    monkeypatch.setenv("ROBOSMI_CORE", f"{tmp_path}:{tmp_path / 'gone'}")
+    with pytest.raises(MissingToolError) as caught:
+        find_core(BoardName("lab", "toy", "host"))
+    fix = caught.value.fix or ""
+    assert f"correct ROBOSMI_CORE ({tmp_path} has no boards.txt, {tmp_path / 'gone'} is no folder)" in fix
+    assert "install it again (" in fix
+    assert "1.2.3 has no boards.txt): arduino-cli core install lab:toy" in fix
 
 
 def test_a_core_of_another_architecture_does_not_hide_the_installed_one(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -67,12 +67,15 @@ def test_a_board_with_data_is_known_by_its_full_name_and_options(board: str) -> 
     assert [finding.rule for finding in report.diagnostics] == ["RS806"]
 
 
-def test_the_command_names_the_stand_in(tmp_path: Path) -> None:
+def test_the_command_names_the_stand_in_and_a_folder_that_is_no_core(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     require_tools(*TOOLS)
     outcome = run("compile", CASES / "blink", "--board", "pico", "-o", tmp_path / "made", "--json")
     assert outcome.code == 0
     assert outcome.document["result"]["stand_in_core"] == "rp2040:rp2040"
-    assert "stand-in" in run("compile", CASES / "blink", "--board", "pico", "-o", tmp_path / "made").out
+    monkeypatch.setenv("ROBOSMI_CORE", str(tmp_path))
+    outcome = run("compile", CASES / "blink", "--board", "pico", "-o", tmp_path / "made")
+    assert "stand-in" in outcome.out
+    assert f"'rp2040:rp2040' is not installed ({tmp_path} has no boards.txt)" in outcome.out + outcome.err
 
 
 def test_a_header_that_a_library_takes_of_the_core_is_no_library_to_install(

@@ -50,6 +50,21 @@ def board_findings(board: Board, toolchain: Toolchain, installed: Installed) -> 
     return [*_pin_findings(board, claims, check, toolchain, installed), *_list_findings(board, check, installed)]
 
 
+def size_findings(board: Board, told: Board) -> list[Finding]:
+    """The sizes in which a board's file contradicts the core that builds its programs.
+
+    Args:
+        board: the board as its file has it.
+        told: the board as the core has it, which may know no sizes.
+    """
+    found = []
+    for name in ("flash_bytes", "ram_bytes"):
+        own, of_core = getattr(board, name), getattr(told, name)
+        if of_core is not None and own != of_core:
+            found.append(_other_value(board, name, str(own), str(of_core), told.name))
+    return found
+
+
 # ---- what the core's headers say
 
 
@@ -180,11 +195,13 @@ def _list_findings(board: Board, check: DataTable, installed: Installed) -> Iter
         own = board.values.get(name) or {"flash_bytes": str(board.flash_bytes), "ram_bytes": str(board.ram_bytes)}.get(name, "")
         told = _listed(entries, short, option, key)
         if told and own not in told:
-            cause = (
-                f"the file of the board '{board.name}' says {name} {own}; the core's list has {' or '.join(told)} for '{full}'"
-            )
-            fix = f"correct {name} in that file, or give the board its own full name"
-            yield Finding(OTHER_FACTS, Severity.warning, cause, _place(board.file, f"{name} ="), fix=fix)
+            yield _other_value(board, name, own, " or ".join(told), full)
+
+
+def _other_value(board: Board, name: str, own: str, told: str, full_name: str) -> Finding:
+    cause = f"the file of the board '{board.name}' says {name} {own}; the core's list has {told} for '{full_name}'"
+    fix = f"correct {name} in that file, or give the board its own full name"
+    return Finding(OTHER_FACTS, Severity.warning, cause, _place(board.file, f"{name} ="), fix=fix)
 
 
 def _listed(entries: Mapping[str, str], short: str, option: str, key: str) -> list[str]:

@@ -95,6 +95,7 @@ class InstalledBoard(NamedTuple):
         architecture: what a library must list that serves it.
         stand_in: the name of the core that is not installed, if this one takes its place for checks; else empty.
         install: how that core is installed; else empty.
+        lacking: what folders lack that were to be of that core; else empty.
     """
 
     board: Board
@@ -102,6 +103,7 @@ class InstalledBoard(NamedTuple):
     architecture: str
     stand_in: str = ""
     install: str = ""
+    lacking: str = ""
 
 
 class DataRecipes:

@@ -17,7 +17,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, RobosmiError, SourceError, UsageError
 from robosmi.inputs import read_once
 from robosmi.plugins import content
-from robosmi.verify.toolchains.board_check import board_findings
+from robosmi.verify.toolchains.board_check import board_findings, size_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
 from robosmi.verify.toolchains.compile_report import (
@@ -105,7 +105,12 @@ def _compiled(
         values = {**chosen.values, **({_CLOCK: str(changed.clock_hz)} if changed.clock_hz else {})}
         chosen = chosen._replace(values=values, extra_flags=(*chosen.extra_flags, *changed.flags))
     if chosen.architecture != toolchain.architecture:
-        report = _compiled_by_core(sketch, _by_its_core(chosen, toolchain), toolchain, keep, project)
+        found = _by_its_core(chosen, toolchain)
+        report = _compiled_by_core(sketch, found._replace(board=chosen), toolchain, keep, project)
+        told = (
+            size_findings(chosen, found.board) if found.board.name in chosen.full_names else []
+        )  # else a stand-in for any board
+        report = replace(report, diagnostics=(*told, *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     installed = find_installed(toolchain)
     index = LibraryFolders(toolchain, installed.core, project)
@@ -128,7 +133,7 @@ def _compiled(
 
 
 def _by_its_core(board: Board, toolchain: Toolchain) -> InstalledBoard:
-    """A board with data whose programs another core builds than that of the toolchain.
+    """A board with data whose programs another core builds than that of the toolchain, as that core describes it.
 
     Raises:
         MissingToolError: no such core is installed, or its compiler is not.
@@ -143,7 +148,7 @@ def _by_its_core(board: Board, toolchain: Toolchain) -> InstalledBoard:
             location=where,
             fix="name in the board's file, first of its full names, the one in the core that builds for it",
         )
-    return found._replace(board=board)
+    return found
 
 
 def _board_without_data(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
@@ -171,7 +176,8 @@ def _compiled_by_core(
     if report.ok and not report.fits:
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
     if found.stand_in:
-        message = f"the core '{found.stand_in}' is not installed; compiled with a stand-in, which is only for checks"
+        why = f" ({found.lacking})" if found.lacking else ""
+        message = f"the core '{found.stand_in}' is not installed{why}; compiled with a stand-in, which is only for checks"
         evidence = {"core": found.stand_in}
         used = Finding(STAND_IN_USED, Severity.info, message, Location(str(sketch.main)), fix=found.install, evidence=evidence)
         found_there = tuple(_of_the_core(finding, sketch) for finding in report.diagnostics)
@@ -190,9 +196,13 @@ def _of_the_core(finding: Finding, sketch: Sketch) -> Finding:
 
 def _without_options(board: Board, boards: list[Board], toolchain: Toolchain) -> Board | None:
     """The board with data that a full name with options of menus names, if its core builds its programs; else None."""
-    plain = ":".join(board.name.split(":")[:3])
-    others = (each for each in boards if each.architecture != toolchain.architecture)
-    return next((each for each in others if plain in each.full_names), None)
+    plain, given = board.name.split(":")[:3], set(board.name.split(":", 3)[-1].split(","))
+    found: list[tuple[int, Board]] = []
+    for each in (each for each in boards if each.architecture != toolchain.architecture):
+        for name in (name.split(":", 3) for name in each.full_names):
+            if name[:3] == plain and (own := set(",".join(name[3:]).split(",")) - {""}) <= given:
+                found.append((len(own), each))
+    return max(found, key=lambda each: each[0])[1] if found else None
 
 
 def _no_data(board: Board, sketch: Sketch) -> Finding:

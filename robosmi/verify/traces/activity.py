@@ -167,7 +167,7 @@ def _until(trace: PinTrace, pin: str = "") -> float:
     """The time after which nothing is known: the end of the run, or infinity for a program that ended and left the pin low."""
     levels = trace.levels(pin)
     left_high = bool(levels) and levels[-1][1] == 1
-    return math.inf if trace.state == "done" and not left_high else trace.simulated_us
+    return math.inf if trace.state == "done" and not left_high else trace.known_us
 
 
 def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:

@@ -27,7 +27,8 @@ _FAST_US = 200.0
 """Waves with a period up to this are fast: a single interrupt stretches it by a large part."""
 _FAST_AHEAD = 20
 _STRETCHED = 2.2
-TONE_DUTY = (0.4, 0.6)
+TONE_DUTY, _MOST = (0.4, 0.6), 0.75
+"""So long is a tone high, in most of its periods."""
 SERVO_PERIOD_US, SERVO_WIDTH_US = (12_000.0, 30_000.0), (300.0, 3_000.0)
 """Between these are the periods of servo frames, and the widths of their pulses."""
 _APART, _DELAYED_US = 3, 100.0
@@ -72,7 +73,7 @@ def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
             high.append(Pulse(up, at_us))
             up = None
     if up is not None:
-        high.append(Pulse(up, trace.simulated_us))
+        high.append(Pulse(up, trace.known_us))  # a program that ended leaves it high
     outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)] if waves else high
     made = [pulse for number in range(len(waves)) for pulse in _high_times(waves, number) if pulse.end > pulse.begin]
     return sorted([*made, *outside], key=lambda pulse: pulse.begin)
@@ -148,8 +149,9 @@ def _apart(wave: list[Pulse]) -> list[tuple[bool, list[Pulse]]]:
     These stand apart from the tone and are of another length. Fast waves are not divided, since they are sent in bursts.
     """
     period, high = _usual(wave), median(pulse.end - pulse.begin for pulse in wave)
-    if not _is_sure(True, wave) or period <= _FAST_US or not TONE_DUTY[0] <= high / period <= TONE_DUTY[1]:
-        return [(True, wave)]
+    of_tone = sum(TONE_DUTY[0] <= (pulse.end - pulse.begin) / period <= TONE_DUTY[1] for pulse in wave)
+    if not _is_sure(True, wave) or period <= _FAST_US or of_tone < _MOST * len(wave):
+        return [(True, wave)]  # PWM, whose last width is no pulse of its own
     last = len(wave) - 1
     pieces: list[tuple[bool, list[Pulse]]] = []
     for number, pulse in enumerate(wave):

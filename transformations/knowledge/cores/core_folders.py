@@ -132,6 +132,7 @@ class ArduinoCore:
                 wrong, among = (option, list(known_here)) if known_here else (menu, list(menus))
                 kind = "option" if known_here else "menu"
                 fix = f"use one of: {', '.join(among)}" if among else "leave the options out"
+                fix += ", or install the core, which may have more than this stand-in" if self.stand_in else ""
                 raise UsageError(
                     f"'{name}': {what} has no {kind} '{wrong}'{did_you_mean(wrong, among)}",
                     location=Location(str(self.folder / "boards.txt")), fix=fix,
@@ -176,7 +177,25 @@ def find_core(name: BoardName) -> ArduinoCore:
 
 def how_to_install(name: BoardName) -> str:
     """What the user does who has not the core of a board."""
-    return f"install it: {install_command(name.vendor, name.architecture)}, or let {ENV} name its folder"
+    given, installed = lacking(name)
+    install = f"install it{f' again ({installed})' if installed else ''}: {install_command(name.vendor, name.architecture)}"
+    return f"correct {ENV} ({given}), or {install}" if given else f"{install}, or let {ENV} name its folder"
+
+
+def lacking(name: BoardName) -> tuple[str, str]:
+    """What folders lack that are none of a core: those of `ROBOSMI_CORE`, and those where the core of a board is installed."""
+    places = (Path(text).expanduser() / "packages" for text in DATA_FOLDERS)
+    installed = (each for place in places for each in place.glob(f"{name.vendor}/hardware/{name.architecture}/*"))
+    return _lacking(_given()), _lacking(installed)
+
+
+def _lacking(folders: Iterable[Path]) -> str:
+    texts = (f"{each} {'has no boards.txt' if each.is_dir() else 'is no folder'}" for each in folders if not is_core(each))
+    return ", ".join(texts)
+
+
+def _given() -> list[Path]:
+    return [Path(text).expanduser() for text in os.environ.get(ENV, "").split(os.pathsep) if text]
 
 
 def install_command(vendor: str, architecture: str) -> str:
@@ -196,8 +215,7 @@ def installed_cores(architecture: str) -> list[ArduinoCore]:
 
     Those of the package, which stand in for the real ones, come last.
     """
-    named = [Path(text).expanduser() for text in os.environ.get(ENV, "").split(os.pathsep) if text]
-    found = [core for folder in named if (core := _named(folder, architecture)) is not None]
+    found = [core for folder in _given() if (core := _named(folder, architecture)) is not None]
     for text in DATA_FOLDERS:
         packages = Path(text).expanduser() / "packages"
         folders = sorted(packages.glob(f"*/hardware/{architecture}/*"), key=lambda path: version_key(path.name), reverse=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.errors import MissingToolError
-from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, find_core, how_to_install
+from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, find_core, how_to_install, lacking
 from robosmi.transformations.knowledge.cores.core_recipes import CoreRecipes
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.recipes import InstalledBoard
@@ -40,8 +40,24 @@ def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoar
     recipes = CoreRecipes(core, full, toolchain)
     flash, ram = recipes.limits
     board = Board(str(full), recipes.board_title, (str(full),), {}, (), flash, ram, architecture=full.architecture)
-    stand_in = f"{full.vendor}:{full.architecture}" if core.stand_in else ""
-    return InstalledBoard(board, recipes, full.architecture, stand_in, how_to_install(full) if core.stand_in else "")
+    if not core.stand_in:
+        return InstalledBoard(board, recipes, full.architecture)
+    stand_in, why = f"{full.vendor}:{full.architecture}", ", ".join(filter(None, lacking(full)))
+    return InstalledBoard(board, recipes, full.architecture, stand_in, how_to_install(full), why)
+
+
+def core_properties(full_name: str) -> dict[str, str]:
+    """What a board's core says of it with its options of menus; the registry's query of that name. Nothing without the core.
+
+    Raises:
+        UsageError: this is no full name of a board, or the core has no such board, menu or option.
+        SourceError: the core is damaged.
+    """
+    name = BoardName.parse(full_name)
+    try:
+        return find_core(name).board(name)
+    except MissingToolError:
+        return {}
 
 
 def _first_installed(names: Sequence[BoardName]) -> tuple[BoardName, ArduinoCore]:

@@ -16,7 +16,7 @@ from robosmi.base.data_tables import DataTable
 from robosmi.base.data_text import Json
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
-from robosmi.plugins import registry
+from robosmi.plugins import content, registry
 from robosmi.project import defaults, defaults_place, read_data
 from robosmi.transformations.knowledge.board_models import (
     KIND,
@@ -43,6 +43,10 @@ _KEYS = (
 )  # fmt: skip
 
 
+_OF_BOARD = ("build.mcu", "build.board", "build.variant")
+"""What a core says of a board that is otherwise on another one: options of a menu that change it choose another board."""
+_CLOCK = "build.f_cpu"
+
 _Board = platform.Board  # the class below has a property of the module's name
 
 
@@ -52,13 +56,15 @@ class TargetFacts:
     Args:
         model: the target, loaded from the repository or from stored models.
         any_board: whether a drawing may have another board than the target's.
+        full_name: the board's full name with the options of menus that were given; empty for the board as its data has it.
     """
 
-    def __init__(self, model: platform.Target, any_board: bool = False) -> None:
+    def __init__(self, model: platform.Target, any_board: bool = False, full_name: str = "") -> None:
         if model.platform is None:
             raise PlatformDataError(f"the target '{model.name}' has no platform", fix="run migrate again")
         self.model = model
         self.any_board = any_board
+        self.full_name = full_name
         self._platform: platform.Platform = model.platform
         self.shared = model.platform.names
         """All names that the platform shares with programs, also once a plan has kept some of them only."""
@@ -175,11 +181,11 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     """A target, as new elements.
 
     Args:
-        target: name of a target, or a board's full name in a platform's tools.
+        target: name of a target, or a board's full name in a platform's tools, perhaps with options of menus.
         project: the project folder; the current folder if None.
 
     Raises:
-        UsageError: there is no such target.
+        UsageError: there is no such target, or its core, which is installed, has no such menu or option.
         PlatformDataError: its data is damaged, or names a generator or toolchain that does not exist.
     """
     table, name = _entry(target, project)
@@ -191,6 +197,9 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     chip = board.microcontroller
     made = _platform(_on(own, str(chip.architecture) if chip is not None else ""), table.text("platform"), project)
     made.boardMappings.append(load_mapping(table.text("platform"), board, project))
+    full_name = target if _parts(target)[1] and target != made.boardMappings[0].boardId else ""
+    if full_name:
+        _choose_options(full_name, made.boardMappings[0], board)
     toolchain = table.text("toolchain", "")
     model = platform.Target(
         name=name,
@@ -205,7 +214,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
         projectFile=table.text("project_file", ""),
         libraryIndex=table.text("libraries", ""),
     )
-    return TargetFacts(model, table.flag("any_board", False))
+    return TargetFacts(model, table.flag("any_board", False), full_name)
 
 
 def _ending(table: DataTable, key: str) -> str:
@@ -246,29 +255,48 @@ def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
         return _whole(said, place, f"targets.{target}.", project), target
     for name, path in _platforms_by_board(project):
         boards = mapped_boards(name, project)
-        board = target if target in boards else next((b for b in boards if _is_called(target, name, b, project)), None)
+        board = target if target in boards else _called(target, name, boards, project) if ":" in target else None
         if board is not None:
             return _whole({"platform": name, "board": board}, path, "target.", project), board
     known = target_names(project)
-    name, options = ":".join(target.split(":")[:3]), ":".join(target.split(":")[3:])
-    if options and _is_full_name(name, project):
-        what = f"'{options}' are options of a menu, which migrate does not take"
-        raise UsageError(what, fix=f"use --target {name}, then run: robosmi compile OUT --board {target}")
     raise UsageError(f"unknown target '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
 
 
-def _is_full_name(name: str, project: Path | None) -> bool:
-    platforms = (each for each, _ in _platforms_by_board(project))
-    return any(_is_called(name, each, board, project) for each in platforms for board in mapped_boards(each, project))
+def _called(full_name: str, platform_name: str, boards: Collection[str], project: Path | None) -> str | None:
+    """The board that a platform's tools know by that full name; if it has options of menus, also by one with fewer of them."""
+    plain, given = _parts(full_name)
+    found: list[tuple[int, str]] = []
+    for board in boards:
+        file = mapping_file(platform_name, board, project)
+        if file is not None and f'"{plain}' in text_of(file):  # parsing is a hundred times as long
+            table = table_of(file)
+            names = (_parts(name) for name in (table.text("fqbn", ""), *table.texts("fqbn_also", ())))
+            found += [(len(options), board) for name, options in names if name == plain and options <= given]
+    return max(found)[1] if found else None
 
 
-def _is_called(full_name: str, platform_name: str, board: str, project: Path | None) -> bool:
-    """Whether a platform's tools know a board by that full name."""
-    file = mapping_file(platform_name, board, project)
-    if file is None or f'"{full_name}"' not in text_of(file):  # parsing is a hundred times as long
-        return False
-    table = table_of(file)
-    return full_name in (table.text("fqbn", ""), *table.texts("fqbn_also", ()))
+def _parts(full_name: str) -> tuple[str, frozenset[str]]:
+    """The board in a full name, and its options of menus."""
+    *board, options = [*full_name.split(":", 3), ""][:4] if full_name.count(":") > 2 else [full_name, ""]
+    return ":".join(board), frozenset(filter(None, options.split(",")))
+
+
+def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Board) -> None:
+    """Keep options of menus in the mapping, and what they change of the board as far as its core, if installed, says so.
+
+    Raises:
+        UsageError: the core has no such menu or option, or the options choose another board.
+    """
+    own = str(mapping.boardId)
+    before, after = (content("query", "core_properties")(name) for name in (own, full_name))
+    if other := [f"{key}={after[key]}" for key in _OF_BOARD if after.get(key) != before.get(key)]:
+        what = f"the options of '{full_name}' choose another board than '{board.name}': {', '.join(other)}"
+        raise UsageError(what, fix=f"use --target {own}, or add the board's data: docs/how-to/add-a-target.md")
+    mapping.boardId, mapping.otherIds = full_name, [own, *(name for name in mapping.otherIds if name != full_name)]
+    mapping.platformioSettings.append(f"; {full_name}: PlatformIO has names of its own for options of menus")
+    if after.get(_CLOCK) != before.get(_CLOCK):
+        board.clockHertz = int(after[_CLOCK].rstrip("ULul"))
+        mapping.platformioSettings.append(f"board_build.f_cpu = {board.clockHertz}L")
 
 
 def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None) -> DataTable:
@@ -402,9 +430,12 @@ def target_repository(
     target, made = facts.model, facts.model.platform
     assert made is not None
     if target.board is not board:
+        as_given = bool(facts.full_name) and board.name == facts.board
         target.board = board
         made.boardMappings.clear()
         made.boardMappings.append(load_mapping(facts.platform, board))
+        if as_given:
+            _choose_options(facts.full_name, made.boardMappings[0], board)
     made.libraries.clear()
     made.libraries.clear()
     made.libraries.extend(libraries)

@@ -300,7 +300,7 @@ def _take(
         binding.choice = said
     else:
         binding.connection, binding.pin = _chosen(said, connections, board)
-        binding.choice = binding.connection.name if binding.connection is not None else said
+        binding.choice = referred(binding)
     binding.open, binding.confidence, binding.chosenBy = False, 1.0, migration.ChosenBy.person
     binding.evidence.append("by flag or in the project file")
 

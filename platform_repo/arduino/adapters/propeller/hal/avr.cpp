@@ -44,7 +44,8 @@ const uint8_t last_port = 4;
 static uint8_t latches[last_port - first_port + 1];
 static uint8_t *cog_pins_now = 0;  // which pins the cog that runs drives; 0 where nothing needs to know
 
-inline void cog_drives(uint8_t pin, bool output) {  // the cog that runs drives the pin, or no longer does
+// The cog that runs drives the pin, or no longer does.
+__attribute__((always_inline)) inline void cog_drives(uint8_t pin, bool output) {
   if (!cog_pins_now) return;
   uint8_t bit = 1 << (pin & 7);
   if (output) cog_pins_now[pin >> 3] |= bit;
@@ -173,11 +174,12 @@ struct KnownIo {
   __attribute__((always_inline)) bool driven() const { return mask && (in[1] & mask); }
   __attribute__((always_inline)) bool latch() const { return mask && (*kept & mask); }
   __attribute__((always_inline)) void put(volatile uint8_t *to, bool value) const {
-    uint8_t old = SREG;
-    if (to >= (volatile uint8_t *)0x40) cli();  // below, it is one instruction
+    bool far = to >= (volatile uint8_t *)0x40;  // below, it is one instruction
+    uint8_t old = far ? SREG : 0;
+    if (far) cli();
     if (value) *to |= mask;
     else *to &= ~mask;
-    if (to >= (volatile uint8_t *)0x40) SREG = old;
+    if (far) SREG = old;
   }
   __attribute__((always_inline)) void keep(bool value) const {
     if (value) *kept |= mask;
