@@ -25,6 +25,7 @@ _PLACE = "_proxy"
 AS_READ = "_as_read"
 """Field of an element: its links whose own text is kept, by feature and the identity of their targets."""
 _ABSOLUTE = re.compile("[A-Za-z][A-Za-z0-9+.-]*:|/")
+_FILE = re.compile("file:(?://[^/]*)?(?=/)", re.IGNORECASE)
 
 
 class _Place(Struct, frozen=True):
@@ -71,6 +72,15 @@ def uri_from(element: EObject, folder: Path | None) -> str:
         return place.uri
     moved = PurePath(os.path.relpath(os.path.join(os.path.realpath(place.folder), unquote(path)), here)).as_posix()
     return f"{quote(moved, safe='/@!$&,;=+()~')}{mark}{fragment}"
+
+
+def address_of(element: EObject) -> str:
+    """Where a proxy leads, the same however the place of its file is written."""
+    place: _Place = element.__dict__[_PLACE]
+    path, mark, fragment = _FILE.sub("", place.uri).partition("#")
+    if place.is_local or not path or (_ABSOLUTE.match(path) and not path.startswith("/")):
+        return place.uri
+    return f"{os.path.realpath(os.path.join(place.folder, unquote(path)))}{mark}{fragment}"
 
 
 def preserve_link(owner: EObject, key: str, target: EObject, link: EObject | None, is_fixed: bool) -> None:
