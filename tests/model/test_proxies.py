@@ -173,3 +173,23 @@ def test_what_a_feature_takes_is_told_and_two_versions_by_their_namespaces(link:
         open_model(folder / "ok.xmi", metamodel=[folder / "g.ecore", folder / "g2.ecore"])
     assert told in str(refused.value)
     assert "ok.xmi:6: Edge.target does not take <" in str(refused.value)
+
+
+@pytest.mark.parametrize("way", ["append", "extend", "insert", "assign", "opposite", "constructor", "without opposite"])
+def test_nothing_is_put_into_a_proxy_for_it_would_not_be_saved(way: str, folder: Path) -> None:
+    (folder / "q.xmi").unlink()
+    model = opened(folder, "p.xmi")
+    group, node = model.roots[0].groups[0], model.Node(name="n")
+    ways = {
+        "append": lambda: group.nodes.append(node),
+        "extend": lambda: group.nodes.extend([node]),
+        "insert": lambda: group.nodes.insert(0, node),
+        "assign": lambda: setattr(group, "nodes", [node]),
+        "opposite": lambda: setattr(node, "group", group),
+        "constructor": lambda: model.Node(name="m", group=group),
+        "without opposite": lambda: group.edges.append(model.Edge(name="e")),
+    }
+    with pytest.raises(ModelError, match=r"proxy 'q\.xmi#/'> stands for an element that was not found"):
+        ways[way]()
+    assert (node.group, node.eContainer(), list(group.nodes), list(group.edges)) == (None, None, [], [])
+    assert [each.name for each in model.Node.all] == ["n"]

@@ -17,6 +17,7 @@ from msgspec import Struct
 from robosmi.errors import ModelError
 from robosmi.model.elements.compact_slots import prepare
 from robosmi.model.elements.ecore import EAttribute, EObject, EReference
+from robosmi.model.elements.feature_errors import REFUSAL
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.structure import root_of
@@ -46,6 +47,7 @@ def new_proxy(cls: type, uri: str, folder: Path) -> Any:
     """
     made = object.__new__(_class(cls))
     made.__dict__[_PLACE] = _Place(uri, folder, "#" not in uri.strip("#"))
+    made.__dict__[REFUSAL] = _refusal
     return made
 
 
@@ -137,12 +139,17 @@ def _class(cls: Any) -> Any:
 
 def _set(self: EObject, name: str, value: object) -> None:
     feature = getattr(type(self), name, None)
-    if isinstance(feature, EAttribute) or (isinstance(feature, EReference) and feature.eOpposite is None):
-        raise ModelError(
-            f"{self!r} stands for an element that was not found, so '{name}' cannot be set",
-            fix="let the reference lead to an element of a file that is there",
-        )
+    is_link = isinstance(feature, EReference) and not feature.containment and feature.eOpposite is not None
+    if isinstance(feature, (EAttribute, EReference)) and not is_link:
+        raise _refusal(self, name)
     super(type(self), self).__setattr__(name, value)
+
+
+def _refusal(self: EObject, name: str) -> ModelError:
+    return ModelError(
+        f"{self!r} stands for an element that was not found, so '{name}' cannot be set",
+        fix="let the reference lead to an element of a file that is there",
+    )
 
 
 def _shown(self: EObject) -> str:
