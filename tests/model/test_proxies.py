@@ -16,6 +16,7 @@ from tests.recording.written_models import FOLDER
 from tests.running import run
 
 SPLIT = Path(__file__).parent / "split"
+CIRCLES = Path(__file__).parent / "circles"
 
 
 @pytest.fixture
@@ -193,3 +194,26 @@ def test_nothing_is_put_into_a_proxy_for_it_would_not_be_saved(way: str, folder:
         ways[way]()
     assert (node.group, node.eContainer(), list(group.nodes), list(group.edges)) == (None, None, [], [])
     assert [each.name for each in model.Node.all] == ["n"]
+
+
+@pytest.mark.parametrize("links", [{"a": "b", "b": "a"}, {"a": "a"}, {"a": "b", "b": "c", "c": "a"}])
+def test_a_circle_of_files_ends_at_a_proxy(links: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Eclipse EMF reads each file and finds no end when it walks through them."""
+    monkeypatch.delenv(FOLDER, raising=False)
+    text = (SPLIT / "p.xmi").read_text().replace("g:Graph", "t:Tree").replace("xmlns:g=", "xmlns:t=").replace('/g"', '/t"')
+    for own, other in links.items():
+        (tmp_path / f"{own}.xmi").write_text(text.replace("groups", "parts").replace("q.xmi", f"{other}.xmi"))
+    session = Session()
+    model: Any = session.open_model(tmp_path / "a.xmi", metamodel=CIRCLES / "tree.ecore")
+    (finding,) = model.findings
+    assert (finding.rule, Path(finding.location.path).stem) == ("RS609", list(links)[-1])
+    assert "contain itself" in finding.message
+    last = model.roots[0]
+    for _ in links:
+        (last,) = last.parts
+    assert proxy_uri(last) == "a.xmi#/"
+    assert session.save_all() == []
+    model.roots[0].name = "changed"
+    assert [path.name for path in session.save_all()] == ["a.xmi"]
+    with pytest.raises(ModelError, match="contain itself"):
+        open_model(tmp_path / "a.xmi", metamodel=CIRCLES / "tree.ecore", strict=True)
