@@ -242,16 +242,17 @@ class XmiLinker:
     def _contain(self, document: Document, owner: EObject, entry: FeatureEntry, link: str, line: int, place: int) -> None:
         """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
         part: EObject | None = self.target(document, link, line, owner, entry)
-        if part is not None and _is_inside(owner, part):
-            why = f"would make {shown(part)} contain itself"
-            if self.missing is None:
-                self._wrong(document, line, owner, entry, why)
-            part = self._missing(document, link, line, owner, entry, why)
         if part is None:
             return
         if not entry.takes(part.__class__):
             self._wrong(document, line, owner, entry, _not_taken(entry, part))
             return
+        if _is_inside(owner, part):
+            why = f"would make {shown(part)} contain itself"
+            if self.missing is None:
+                self._wrong(document, line, owner, entry, why)
+            if (part := self._missing(document, link, line, owner, entry, why)) is None:
+                return
         if container_of(part) is not None:
             self._wrong(document, line, owner, entry, f"takes {shown(part)}, which is contained elsewhere already")
             return
