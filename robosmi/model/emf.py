@@ -74,6 +74,7 @@ class EmfModel(TypedModel):
         self._read_with: dict[Path, list[DynamicEObject]] = {}
         self._open_files: OpenFiles | None = None
         self._schema_locations: list[tuple[str, str]] = []
+        self._file_has_more = False
         for root in given:
             self.add(root)
 
@@ -173,6 +174,7 @@ class EmfModel(TypedModel):
             model._digest = document.digest
             model._home.shared_ids = document.shared_ids
             model._schema_locations = document.schema_locations
+            model._file_has_more = document.has_more
         if open_files is not None:
             open_files.add(place, model, documents)
         return model
@@ -244,7 +246,7 @@ class EmfModel(TypedModel):
         text = text_of(target, self.roots, read, self.path, self._schema_locations, others or {})
         if self.path is None or not self._digest:
             return text
-        return in_its_layout(text, self.path, self._digest, self.packages, target, keep_layout)
+        return in_its_layout(text, self.path, self._digest, self.packages, target, keep_layout, self._file_has_more)
 
     def __setattr__(self, name: str, value: object) -> None:
         refuse_unknown_attribute(self, name)

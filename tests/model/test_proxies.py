@@ -217,3 +217,32 @@ def test_a_circle_of_files_ends_at_a_proxy(links: dict[str, str], tmp_path: Path
     assert [path.name for path in session.save_all()] == ["a.xmi"]
     with pytest.raises(ModelError, match="contain itself"):
         open_model(tmp_path / "a.xmi", metamodel=CIRCLES / "tree.ecore", strict=True)
+
+
+def test_a_value_that_its_type_does_not_take_stays_in_the_file(folder: Path) -> None:
+    """As in Eclipse EMF, the rest of the model is read; EMF would not save the value."""
+    text = (folder / "ok.xmi").read_text()
+    bad = text.replace('weight="1"', 'weight="0x0"').replace('weight="2"', 'weight="0x1"')
+    (folder / "ok.xmi").write_text(bad)
+    model = opened(folder, "ok.xmi")
+    assert (rules(model), [node.weight for node in model.Node.all]) == ([("RS610", 4)], [0, 0])
+    assert (
+        model.findings[0].message == "Node.weight: '0x0' is no whole number, so it is not in the model (and 1 more of this kind)"
+    )
+    for name in ("ok.xmi", "copy.xmi"):
+        model.save(folder / name)
+        assert (folder / name).read_text() == bad
+    model.Node.all[0].weight = 7
+    model.save()
+    assert (folder / "ok.xmi").read_text() == bad.replace("0x0", "7")
+    with pytest.raises(ModelError, match="'0x1' is no whole number"):
+        opened(folder, "ok.xmi", strict=True)
+
+
+def test_a_large_file_keeps_what_is_not_in_its_model(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("robosmi.model.xmi.saved_places._LARGE", 0)
+    nodes = "\n".join(f'    <nodes name="m{number}"/>' for number in range(300))
+    text = (folder / "ok.xmi").read_text().replace("    <edges", f"{nodes}\n    <edges")
+    (folder / "ok.xmi").write_text(text := text.replace("<groups ", '<groups xmlns:z="http://z" z:key="1" '))
+    opened(folder, "ok.xmi").save()
+    assert (folder / "ok.xmi").read_text() == text

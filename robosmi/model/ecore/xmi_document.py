@@ -20,6 +20,7 @@ NO_MODEL = "give a model in XMI"
 """The advice for a file that is no model."""
 Problem = Callable[[int, str], None]
 Foreign = Callable[[int, str, str], None]
+Illegal = Callable[[int, str, str], None]
 PackageOf: TypeAlias = "Callable[[str], Package | None]"
 """Namespace URI -> EPackage or generated module, or None."""
 
@@ -72,6 +73,7 @@ class Document(Struct):
         types: the URIs of elements that lie elsewhere -> the Python classes that the file names for them.
         findings: what is odd in the files that were read together; of the first one only.
         digest: that of its bytes.
+        has_more: whether the file has parts that are not in the model.
         unsupported: whether it has elements of a class that is right, and that cannot be read.
     """
 
@@ -88,4 +90,5 @@ class Document(Struct):
     types: dict[str, type] = {}
     findings: list[Finding] = []
     digest: str = ""
+    has_more: bool = False
     unsupported: bool = False

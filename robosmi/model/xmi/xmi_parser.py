@@ -24,6 +24,7 @@ from robosmi.model.ecore.xmi_document import (
     Document,
     Foreign,
     ForeignRoot,
+    Illegal,
     PackageOf,
     Problem,
     UnknownEncoding,
@@ -74,11 +75,21 @@ class Builder:
         package_of: finds a package by its namespace.
         problem: receives line and text of every problem.
         foreign: as for `parse`.
+        illegal: as for `parse`.
     """
 
-    def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None) -> None:
+    def __init__(
+        self,
+        path: Path,
+        plans: Plans,
+        package_of: PackageOf,
+        problem: Problem,
+        foreign: Foreign | None = None,
+        illegal: Illegal | None = None,
+    ) -> None:
         self.tells_foreign = foreign is not None
         self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
+        self.illegal: Illegal = illegal or (lambda line, feature, text: problem(line, f"{feature}: {text}"))
         self.document = Document(path)
         self.plans = plans
         self.package_of = package_of
@@ -221,7 +232,7 @@ class Builder:
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
         except ValueError as error:
-            self.here(f"{owner}.{entry.feature.name}: {error}")
+            self.illegal(self.at(), f"{owner}.{entry.feature.name}", str(error))
             return
         if entry.kind == VALUE:
             if entry.key in slots:
@@ -270,6 +281,7 @@ def parse(
     locations: Callable[[str], None],
     problem: Problem,
     foreign: Foreign | None = None,
+    illegal: Illegal | None = None,
 ) -> Document:
     """Build the elements of one file.
 
@@ -282,20 +294,22 @@ def parse(
         problem: receives line and text of every problem.
         foreign: receives line, text and namespace of what is of a namespace that no metamodel has, or is computed (no
             namespace); a problem if None.
+        illegal: receives line, class and name of a feature, and what is wrong with a value that its type does not take; a
+            problem if None.
 
     Raises:
         Unreadable: it is no XML, or no element of it is a model's.
         ForeignRoot: its first root is an element of Ecore.
     """
     try:
-        return _Parser(path, plans, package_of, locations, problem, foreign).run(data, None)
+        return _Parser(path, plans, package_of, locations, problem, foreign, illegal).run(data, None)
     except UnknownEncoding as error:  # Python knows more of them
         declared = _DECLARED.match(data)
         try:
             text = data.decode(declared[1].decode("ascii")) if declared else ""
         except (LookupError, UnicodeDecodeError):
             raise error from None
-        return _Parser(path, plans, package_of, locations, problem, foreign).run(text.encode(), "utf-8")
+        return _Parser(path, plans, package_of, locations, problem, foreign, illegal).run(text.encode(), "utf-8")
 
 
 class _Parser(Builder):
@@ -309,8 +323,9 @@ class _Parser(Builder):
         locations: Callable[[str], None],
         problem: Problem,
         foreign: Foreign | None,
+        illegal: Illegal | None,
     ) -> None:
-        super().__init__(path, plans, package_of, problem, foreign)
+        super().__init__(path, plans, package_of, problem, foreign, illegal)
         self.locations = locations
         self.depth = 0  # inside an element that is skipped, or inside the text of a feature
         self.texts: list[str] = []
@@ -388,7 +403,7 @@ class _Parser(Builder):
                     try:
                         value = text if convert is None else convert(text)
                     except ValueError as error:
-                        self.problem(parser.CurrentLineNumber, f"{plan.name}.{name}: {error}")
+                        self.illegal(parser.CurrentLineNumber, f"{plan.name}.{name}", str(error))
                         continue
                     lies_bare = attribute.bare and value.__class__ in UNBOXED_TYPES
                     child_slots[attribute.key] = value if lies_bare else new_slot(AttributeValue, child, attribute.feature, value)

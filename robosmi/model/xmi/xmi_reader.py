@@ -10,6 +10,7 @@ import hashlib
 import os
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote
@@ -296,12 +297,24 @@ class _Reader:
                 "give the metamodel of that namespace, if there is one" if uri else "none is needed: it stays as text in the file"
             )
             self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
+            more.append(line)
 
+        def illegal(line: int, feature: str, text: str) -> None:
+            said = f"{feature}: {text}, so it is not in the model"
+            self.odd.add(
+                FOREIGN, (place, feature), Location(place, line), said, "correct the value; until then it stays in the file"
+            )
+            more.append(line)
+
+        more: list[int] = []
         apart = None if self.strict else foreign
         if is_json(path) or is_yaml(path):
             document = parse_json(path, data, self.plans, self.package, problem, apart)
         else:
-            document = parse(path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, apart)
+            locate = partial(self.locate, path)
+            wrong = None if self.strict else illegal
+            document = parse(path, data, self.plans, self.package, locate, problem, apart, wrong)
+        document.has_more = bool(more)
         for identity, line in document.shared_ids.items():
             if self.strict:
                 problem(line, f"the id '{identity}' is used twice")
