@@ -302,42 +302,31 @@ def parse(
         ForeignRoot: its first root is an element of Ecore.
     """
     try:
-        return _Parser(path, plans, package_of, locations, problem, foreign, illegal).run(data, None)
+        return _Parser(path, plans, package_of, problem, foreign, illegal).run(data, None, locations)
     except UnknownEncoding as error:  # Python knows more of them
         declared = _DECLARED.match(data)
         try:
             text = data.decode(declared[1].decode("ascii")) if declared else ""
         except (LookupError, UnicodeDecodeError):
             raise error from None
-        return _Parser(path, plans, package_of, locations, problem, foreign, illegal).run(text.encode(), "utf-8")
+        return _Parser(path, plans, package_of, problem, foreign, illegal).run(text.encode(), "utf-8", locations)
 
 
 class _Parser(Builder):
     """The state of one pass; the two handlers that are called for every element are closures in `run`."""
 
-    def __init__(
-        self,
-        path: Path,
-        plans: Plans,
-        package_of: PackageOf,
-        locations: Callable[[str], None],
-        problem: Problem,
-        foreign: Foreign | None,
-        illegal: Illegal | None,
-    ) -> None:
-        super().__init__(path, plans, package_of, problem, foreign, illegal)
-        self.locations = locations
-        self.depth = 0  # inside an element that is skipped, or inside the text of a feature
-        self.texts: list[str] = []
-        self.escapes = False
-        self.several = False
+    locations: Callable[[str], None]
+    depth = 0  # inside an element that is skipped, or inside the text of a feature
+    escapes = False
+    several = False
 
-    def run(self, data: bytes, encoding: str | None) -> Document:
+    def run(self, data: bytes, encoding: str | None, locations: Callable[[str], None]) -> Document:
         """Parse.
 
         Raises:
             Unreadable, ForeignRoot: as `parse`.
         """
+        self.locations, self.texts = locations, list[str]()
         self.expat = parser = expat.ParserCreate(encoding, namespace_separator="}")
         parser.buffer_text = True
         parser.StartNamespaceDeclHandler = self.declare
