@@ -20,7 +20,6 @@ NO_MODEL = "give a model in XMI"
 """The advice for a file that is no model."""
 Problem = Callable[[int, str], None]
 Foreign = Callable[[int, str, str], None]
-Illegal = Callable[[int, str, str], None]
 PackageOf: TypeAlias = "Callable[[str], Package | None]"
 """Namespace URI -> EPackage or generated module, or None."""
 

@@ -24,7 +24,6 @@ from robosmi.model.ecore.xmi_document import (
     Document,
     Foreign,
     ForeignRoot,
-    Illegal,
     PackageOf,
     Problem,
     UnknownEncoding,
@@ -74,8 +73,7 @@ class Builder:
         plans: the plans of this load.
         package_of: finds a package by its namespace.
         problem: receives line and text of every problem.
-        foreign: as for `parse`.
-        illegal: as for `parse`.
+        foreign, illegal: as for `parse`.
     """
 
     def __init__(
@@ -85,11 +83,11 @@ class Builder:
         package_of: PackageOf,
         problem: Problem,
         foreign: Foreign | None = None,
-        illegal: Illegal | None = None,
+        illegal: Foreign | None = None,
     ) -> None:
         self.tells_foreign = foreign is not None
         self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
-        self.illegal: Illegal = illegal or (lambda line, feature, text: problem(line, f"{feature}: {text}"))
+        self.illegal: Foreign = illegal or (lambda line, feature, text: problem(line, f"{feature}: {text}"))
         self.document = Document(path)
         self.plans = plans
         self.package_of = package_of
@@ -281,7 +279,7 @@ def parse(
     locations: Callable[[str], None],
     problem: Problem,
     foreign: Foreign | None = None,
-    illegal: Illegal | None = None,
+    illegal: Foreign | None = None,
 ) -> Document:
     """Build the elements of one file.
 
@@ -294,8 +292,7 @@ def parse(
         problem: receives line and text of every problem.
         foreign: receives line, text and namespace of what is of a namespace that no metamodel has, or is computed (no
             namespace); a problem if None.
-        illegal: receives line, class and name of a feature, and what is wrong with a value that its type does not take; a
-            problem if None.
+        illegal: receives line, feature and what is wrong with a value that its type does not take; a problem if None.
 
     Raises:
         Unreadable: it is no XML, or no element of it is a model's.
@@ -317,8 +314,7 @@ class _Parser(Builder):
 
     locations: Callable[[str], None]
     depth = 0  # inside an element that is skipped, or inside the text of a feature
-    escapes = False
-    several = False
+    escapes = several = False
 
     def run(self, data: bytes, encoding: str | None, locations: Callable[[str], None]) -> Document:
         """Parse.
