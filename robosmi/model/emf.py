@@ -74,6 +74,7 @@ class EmfModel(TypedModel):
         self._read_with: dict[Path, list[DynamicEObject]] = {}
         self._open_files: OpenFiles | None = None
         self._schema_locations: list[tuple[str, str]] = []
+        self._file_has_more = False
         for root in given:
             self.add(root)
 
@@ -130,7 +131,8 @@ class EmfModel(TypedModel):
             known = open_files.packages() if open_files is not None else built_in()
             used = Metamodel.of(known if metamodel is None else metamodel)
         place = Path(os.path.realpath(file))
-        roots = open_files.roots(place, used) if open_files is not None else None
+        document = open_files.read_before(place, used) if open_files is not None else None
+        roots = document.roots if document is not None else None
         documents: dict[Path, Document] = {}
         if roots is None:
             opened = open_files.documents(place) if open_files is not None else None
@@ -148,7 +150,8 @@ class EmfModel(TypedModel):
                 open_files.add(place, model, documents)
             return model
         if roots is None:
-            roots = next(iter(documents.values())).roots
+            document = next(iter(documents.values()))
+            roots = document.roots
         for root in roots:  # a part of an element in a file that it refers to is a root of its own file all the same
             if container_of(root) is not None and home_of(root) is None:
                 Home(None, place).add(root)
@@ -166,11 +169,12 @@ class EmfModel(TypedModel):
             for root in others:
                 if home_of(root) is None:
                     home.add(root)
-        if place in documents:
-            model.findings = documents[place].findings
-            model._digest = documents[place].digest
-            model._home.shared_ids = documents[place].shared_ids
-            model._schema_locations = documents[place].schema_locations
+        if document is not None:
+            model.findings = document.findings
+            model._digest = document.digest
+            model._home.shared_ids = document.shared_ids
+            model._schema_locations = document.schema_locations
+            model._file_has_more = document.has_more
         if open_files is not None:
             open_files.add(place, model, documents)
         return model
@@ -242,7 +246,7 @@ class EmfModel(TypedModel):
         text = text_of(target, self.roots, read, self.path, self._schema_locations, others or {})
         if self.path is None or not self._digest:
             return text
-        return in_its_layout(text, self.path, self._digest, self.packages, target, keep_layout)
+        return in_its_layout(text, self.path, self._digest, self.packages, target, keep_layout, self._file_has_more)
 
     def __setattr__(self, name: str, value: object) -> None:
         refuse_unknown_attribute(self, name)

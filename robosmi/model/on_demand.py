@@ -12,9 +12,10 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError
-from robosmi.model.elements.compact_slots import REFUSAL, UNBOXED_TYPES, prepare, store_unboxed
+from robosmi.model.elements.compact_slots import UNBOXED_TYPES, prepare, store_unboxed
 from robosmi.model.elements.driver import ReadOnlyError
 from robosmi.model.elements.ecore import EList, EObject, EReference, EStructuralFeature, EValue
+from robosmi.model.elements.feature_errors import REFUSAL
 from robosmi.model.elements.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.elements.features import all_features
 from robosmi.model.elements.pyecore_internals import (

@@ -226,3 +226,23 @@ def test_models_are_equal_if_and_only_if_their_files_are(which: str, seed: int) 
     found, back = ModelComparison(a, b), ModelComparison(b, a)
     assert found.equal == back.equal == (texts[0] == texts[1])
     assert len(found.lines()) <= len(found.changes)
+
+
+def test_one_unread_file_is_the_same_from_two_folders(tmp_path: Path) -> None:
+    text = (SPLIT / "w.xmi").read_text()
+    hrefs = {"a/w.xmi": "../lib/gone.xmi", "b/c/w.xmi": "../../lib/gone.xmi", "b/d.xmi": "gone.xmi", "e/d.xmi": "gone.xmi"}
+    hrefs["f.xmi"] = (tmp_path / "lib" / "gone.xmi").as_uri()
+    for name, href in hrefs.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text.replace("ok.xmi", href))
+
+    def changes(one: str, other: str) -> list[tuple[str, Any, Any]]:
+        found = compare(tmp_path / one, tmp_path / other, SPLIT / "g.ecore").changes
+        return [(change.kind, change.before, change.after) for change in found]
+
+    assert [changes("a/w.xmi", other) for other in ("b/c/w.xmi", "f.xmi")] == [[], []]
+    assert changes("b/d.xmi", "e/d.xmi") == [], "the same text, as in a copy of the folder"
+    fragment = "#//@groups.0/@nodes.1"
+    assert changes("a/w.xmi", "b/d.xmi") == [("changed", f"../lib/gone.xmi{fragment}", f"gone.xmi{fragment}")]
+    merged = robosmi.merge(*(tmp_path / name for name in ("a/w.xmi", "b/c/w.xmi", "b/d.xmi")), metamodel=SPLIT / "g.ecore")
+    assert merged.conflicts == []

@@ -16,6 +16,7 @@ from tests.recording.written_models import FOLDER
 from tests.running import run
 
 SPLIT = Path(__file__).parent / "split"
+CIRCLES = Path(__file__).parent / "circles"
 
 
 @pytest.fixture
@@ -173,3 +174,75 @@ def test_what_a_feature_takes_is_told_and_two_versions_by_their_namespaces(link:
         open_model(folder / "ok.xmi", metamodel=[folder / "g.ecore", folder / "g2.ecore"])
     assert told in str(refused.value)
     assert "ok.xmi:6: Edge.target does not take <" in str(refused.value)
+
+
+@pytest.mark.parametrize("way", ["append", "extend", "insert", "assign", "opposite", "constructor", "without opposite"])
+def test_nothing_is_put_into_a_proxy_for_it_would_not_be_saved(way: str, folder: Path) -> None:
+    (folder / "q.xmi").unlink()
+    model = opened(folder, "p.xmi")
+    group, node = model.roots[0].groups[0], model.Node(name="n")
+    ways = {
+        "append": lambda: group.nodes.append(node),
+        "extend": lambda: group.nodes.extend([node]),
+        "insert": lambda: group.nodes.insert(0, node),
+        "assign": lambda: setattr(group, "nodes", [node]),
+        "opposite": lambda: setattr(node, "group", group),
+        "constructor": lambda: model.Node(name="m", group=group),
+        "without opposite": lambda: group.edges.append(model.Edge(name="e")),
+    }
+    with pytest.raises(ModelError, match=r"proxy 'q\.xmi#/'> stands for an element that was not found"):
+        ways[way]()
+    assert (node.group, node.eContainer(), list(group.nodes), list(group.edges)) == (None, None, [], [])
+    assert [each.name for each in model.Node.all] == ["n"]
+
+
+@pytest.mark.parametrize("links", [{"a": "b", "b": "a"}, {"a": "a"}, {"a": "b", "b": "c", "c": "a"}])
+def test_a_circle_of_files_ends_at_a_proxy(links: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Eclipse EMF reads each file and finds no end when it walks through them."""
+    monkeypatch.delenv(FOLDER, raising=False)
+    text = (SPLIT / "p.xmi").read_text().replace("g:Graph", "t:Tree").replace("xmlns:g=", "xmlns:t=").replace('/g"', '/t"')
+    for own, other in links.items():
+        (tmp_path / f"{own}.xmi").write_text(text.replace("groups", "parts").replace("q.xmi", f"{other}.xmi"))
+    session = Session()
+    model: Any = session.open_model(tmp_path / "a.xmi", metamodel=CIRCLES / "tree.ecore")
+    (finding,) = model.findings
+    assert (finding.rule, Path(finding.location.path).stem) == ("RS609", list(links)[-1])
+    assert "contain itself" in finding.message
+    last = model.roots[0]
+    for _ in links:
+        (last,) = last.parts
+    assert proxy_uri(last) == "a.xmi#/"
+    assert session.save_all() == []
+    model.roots[0].name = "changed"
+    assert [path.name for path in session.save_all()] == ["a.xmi"]
+    with pytest.raises(ModelError, match="contain itself"):
+        open_model(tmp_path / "a.xmi", metamodel=CIRCLES / "tree.ecore", strict=True)
+
+
+def test_a_value_that_its_type_does_not_take_stays_in_the_file(folder: Path) -> None:
+    """As in Eclipse EMF, the rest of the model is read; EMF would not save the value."""
+    text = (folder / "ok.xmi").read_text()
+    bad = text.replace('weight="1"', 'weight="0x0"').replace('weight="2"', 'weight="0x1"')
+    (folder / "ok.xmi").write_text(bad)
+    model = opened(folder, "ok.xmi")
+    assert (rules(model), [node.weight for node in model.Node.all]) == ([("RS610", 4)], [0, 0])
+    assert (
+        model.findings[0].message == "Node.weight: '0x0' is no whole number, so it is not in the model (and 1 more of this kind)"
+    )
+    for name in ("ok.xmi", "copy.xmi"):
+        model.save(folder / name)
+        assert (folder / name).read_text() == bad
+    model.Node.all[0].weight = 7
+    model.save()
+    assert (folder / "ok.xmi").read_text() == bad.replace("0x0", "7")
+    with pytest.raises(ModelError, match="'0x1' is no whole number"):
+        opened(folder, "ok.xmi", strict=True)
+
+
+def test_a_large_file_keeps_what_is_not_in_its_model(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("robosmi.model.xmi.saved_places._LARGE", 0)
+    nodes = "\n".join(f'    <nodes name="m{number}"/>' for number in range(300))
+    text = (folder / "ok.xmi").read_text().replace("    <edges", f"{nodes}\n    <edges")
+    (folder / "ok.xmi").write_text(text := text.replace("<groups ", '<groups xmlns:z="http://z" z:key="1" '))
+    opened(folder, "ok.xmi").save()
+    assert (folder / "ok.xmi").read_text() == text

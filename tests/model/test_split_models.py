@@ -113,6 +113,18 @@ def test_a_file_that_was_read_with_a_model_is_saved_with_it(folder: Path) -> Non
     assert b'<nodes name="changed"/>' in (folder / "q.xmi").read_bytes()
 
 
+def test_a_part_that_is_opened_after_its_whole_keeps_its_layout(folder: Path) -> None:
+    text = (folder / "q.xmi").read_text().replace("g:", "own:").replace("xmlns:g", "xmlns:own")
+    (folder / "q.xmi").write_text(text := text.replace("  <nodes", "  <!-- kept -->\n  <nodes"))
+    s = Session()
+    for name in ("p.xmi", "q.xmi"):
+        model: Any = s.open_model(folder / name, metamodel=folder / "g.ecore")
+    assert s.save_all() == []
+    model.Node.all[0].name = "changed"
+    model.save()
+    assert (folder / "q.xmi").read_text() == text.replace('"n1"', '"changed"')
+
+
 def test_a_part_that_is_moved_belongs_to_its_new_file(folder: Path) -> None:
     s = Session()
     whole: Any = s.open_model(folder / "p.xmi", metamodel=folder / "g.ecore")

@@ -85,7 +85,7 @@ class ModelComparison:
         self.findings = [*before.findings, *after.findings]
         self._before, self._after = both = (Facts(before), Facts(after))
         for each in both:
-            each.know_ids_of(both)
+            each.know(both)
         self._matching = Matching(self._before, self._after)
         self.changes: list[Difference] = [*self._of_first(), *self._added()]
 

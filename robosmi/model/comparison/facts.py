@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePath
 from typing import Any
 
@@ -16,7 +16,7 @@ from robosmi.model.elements.feature_values import is_stored
 from robosmi.model.elements.features import is_of_ecore, opposite
 from robosmi.model.elements.fragments import fragment_of, own_id
 from robosmi.model.elements.home import home_of
-from robosmi.model.elements.proxies import proxy_uri
+from robosmi.model.elements.proxies import address_of, proxy_uri, uri_from
 from robosmi.model.elements.structure import root_of, walk
 from robosmi.model.emf import EmfModel
 from robosmi.model.xmi.ecore_writer import FEATURES
@@ -42,6 +42,7 @@ class Facts:
         for root in self.roots:
             if (home := home_of(root)) is not None:
                 self.shared_ids.update(home.shared_ids)
+        self._ends: dict[str, str] = {}
         self.elements: list[EObject] = [element for root in self.roots for element in walk(root)]
         self.inside = {id(element) for element in self.elements}
         self._layouts = Layouts()
@@ -139,10 +140,11 @@ class Facts:
                     found.append((column.name, str(compared(column, value))))
         return found
 
-    def know_ids_of(self, others: Iterable[Facts]) -> None:
-        """Match nothing by ids that several elements of another model have."""
+    def know(self, others: Sequence[Facts]) -> None:
+        """Match nothing by ids that several elements of another model have, and tell the same ends in other files by one key."""
         for other in others:
             self.shared_ids.update(other.shared_ids)
+        self._ends = others[0]._ends
 
     def container_of(self, element: EObject) -> tuple[EObject | None, str]:
         """The container of an element and the feature that contains it; none for a root of the model."""
@@ -172,25 +174,39 @@ class Facts:
         """
         if id(target) in self.inside:
             return id(target)
-        return f"only {id(target)}" if id(target) in owner.inside else owner.outside(target)
+        return f"only {id(target)}" if id(target) in owner.inside else owner.outside_key(target)
 
     def outside(self, target: Any) -> str:
         """Where a target lies that is no element of the model: a URI, seen from the model's folder."""
-        if isinstance(target, ecore.EObject) and (uri := proxy_uri(target)) is not None:
-            return uri
+        return self._outside(target)[0]
+
+    def outside_key(self, target: Any) -> str:
+        """What is equal for a target outside of the models that all of them mean: the same URI, or the same file and fragment."""
+        text, address = self._outside(target)
+        known = self._ends.get(text) or self._ends.get(address) or text
+        self._ends.setdefault(text, known)
+        self._ends.setdefault(address, known)
+        return known
+
+    def _outside(self, target: Any) -> tuple[str, str]:
+        """The URI of a target, seen from the model's folder, and the same with the absolute path of its file."""
+        folder = self.model.path.parent if self.model.path is not None else Path()
+        if isinstance(target, ecore.EObject) and proxy_uri(target) is not None:
+            return uri_from(target, folder), address_of(target)
         try:
             if isinstance(target, (type, ecore.EModelElement)):
-                return metamodel_uri(target)
+                uri = metamodel_uri(target)
+                return uri, uri
         except Unplaced:
-            return repr(target)
+            return repr(target), repr(target)
         root = root_of(target)
         home = home_of(root)
         roots: Sequence[EObject] = list(home.contents) if home is not None else [root]
-        file = ""
-        if home is not None and home.place is not None:
-            folder = self.model.path.parent if self.model.path is not None else Path()
-            file = PurePath(os.path.relpath(os.path.realpath(home.place), os.path.realpath(folder))).as_posix()
-        return f"{file}#{fragment_of(target, roots)}"
+        fragment = f"#{fragment_of(target, roots)}"
+        if home is None or home.place is None:
+            return fragment, fragment
+        place = os.path.realpath(home.place)
+        return f"{PurePath(os.path.relpath(place, os.path.realpath(folder))).as_posix()}{fragment}", f"{place}{fragment}"
 
 
 def plain(column: Column, value: Any) -> Json:

@@ -60,7 +60,7 @@ class ThreeModels:
     def __init__(self, base: EmfModel, a: EmfModel, b: EmfModel) -> None:
         self.facts = (Facts(base), Facts(a), Facts(b))
         for each in self.facts:
-            each.know_ids_of(self.facts)
+            each.know(self.facts)
         self.all: list[Versions] = []
         self._known: dict[int, Versions] = {}
         self._columns: dict[type, dict[str, Column]] = {}
@@ -176,7 +176,7 @@ class ThreeModels:
         for value in facts.values(element, column):
             key: Hashable
             if column.kind == LINKS:
-                key = self._known[id(value)] if id(value) in facts.inside else facts.outside(value)
+                key = self._known[id(value)] if id(value) in facts.inside else facts.outside_key(value)
                 found[key] = value
                 continue
             key = value[0] if column.kind == DETAILS else _hashable(compared(column, value))

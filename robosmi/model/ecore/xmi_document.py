@@ -72,6 +72,7 @@ class Document(Struct):
         types: the URIs of elements that lie elsewhere -> the Python classes that the file names for them.
         findings: what is odd in the files that were read together; of the first one only.
         digest: that of its bytes.
+        has_more: whether the file has parts that are not in the model.
         unsupported: whether it has elements of a class that is right, and that cannot be read.
     """
 
@@ -88,4 +89,5 @@ class Document(Struct):
     types: dict[str, type] = {}
     findings: list[Finding] = []
     digest: str = ""
+    has_more: bool = False
     unsupported: bool = False

@@ -26,7 +26,7 @@ from robosmi.model.elements.ecore import (
     EStructuralFeature,
     EValue,
 )
-from robosmi.model.elements.feature_errors import not_computed
+from robosmi.model.elements.feature_errors import REFUSAL, not_computed
 from robosmi.model.elements.feature_values import FeatureBag, FeatureCollection, FeatureList, FeatureOrderedSet, kind_of
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,
@@ -72,8 +72,6 @@ HOLDERS = (AttributeValue, ReferenceValue, ContainedValue)
 _new = object.__new__
 _NOTHING: Any = object()
 
-REFUSAL = "_refusal"
-"""Key in the `__dict__` of a read-only element: a function of the element and a feature's name that makes the error."""
 UNBOXED_TYPES: frozenset[type[int | str | float | EEnumLiteral]] = frozenset([int, str, bool, float, EEnumLiteral])
 """Exact classes of the values that are stored in an element without a holder."""
 
@@ -174,6 +172,8 @@ def _redirect(self: EReference, instance: EObject, value: Any) -> None:
             refuse_circle(instance, value)
         if opposite is not None:
             if opposite.containment:
+                if REFUSAL in value.__dict__:
+                    raise value.__dict__[REFUSAL](value, key_of(opposite))
                 refuse_circle(value, instance)
             if former is not None:
                 _assigned(self, instance, None)

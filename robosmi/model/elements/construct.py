@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 from robosmi.errors import ModelError
 from robosmi.model.elements import compact_slots, ecore
 from robosmi.model.elements.compact_slots import (
-    REFUSAL,
     ContainedValue,
     ReferenceValue,
     collection,
@@ -23,7 +22,7 @@ from robosmi.model.elements.compact_slots import (
     note_link,
 )
 from robosmi.model.elements.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
-from robosmi.model.elements.feature_errors import unknown_feature
+from robosmi.model.elements.feature_errors import REFUSAL, unknown_feature
 from robosmi.model.elements.feature_values import added_by
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,

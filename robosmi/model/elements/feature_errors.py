@@ -17,6 +17,10 @@ LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementI
 """The features that tell one element from another, the best first."""
 
 
+REFUSAL = "_refusal"
+"""Key in the `__dict__` of a read-only element: a function of the element and a feature's name that makes the error."""
+
+
 class UnknownFeatureError(ModelError, AttributeError):
     """A feature that the element's class does not have."""
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, EProxy, ESet, EStructuralFeature
-from robosmi.model.elements.feature_errors import FeatureValueError, not_computed, value_error
+from robosmi.model.elements.feature_errors import REFUSAL, FeatureValueError, not_computed, value_error
 from robosmi.model.elements.pyecore_internals import key_of
 from robosmi.model.elements.structure import refuse_circle
 
@@ -72,8 +72,10 @@ class Queried(Queryable):
 
         Raises:
             FeatureValueError: it is of another kind, or None in the place of an element.
-            ModelError: it would contain itself.
+            ModelError: it would contain itself, or its new owner is read-only.
         """
+        if REFUSAL in self.owner.__dict__ and (self.is_cont or self.feature.eOpposite is None):
+            raise self.owner.__dict__[REFUSAL](self.owner, str(self.feature.name))
         if value is None and self._place()[1]:
             raise FeatureValueError(f"{self._place()[0]} takes elements, not None", fix="leave out what is not there")
         try:

@@ -17,6 +17,7 @@ from msgspec import Struct
 from robosmi.errors import ModelError
 from robosmi.model.elements.compact_slots import prepare
 from robosmi.model.elements.ecore import EAttribute, EObject, EReference
+from robosmi.model.elements.feature_errors import REFUSAL
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
 from robosmi.model.elements.home import home_of
 from robosmi.model.elements.structure import root_of
@@ -25,6 +26,7 @@ _PLACE = "_proxy"
 AS_READ = "_as_read"
 """Field of an element: its links whose own text is kept, by feature and the identity of their targets."""
 _ABSOLUTE = re.compile("[A-Za-z][A-Za-z0-9+.-]*:|/")
+_FILE = re.compile("file:(?://[^/]*)?(?=/)", re.IGNORECASE)
 
 
 class _Place(Struct, frozen=True):
@@ -45,6 +47,7 @@ def new_proxy(cls: type, uri: str, folder: Path) -> Any:
     """
     made = object.__new__(_class(cls))
     made.__dict__[_PLACE] = _Place(uri, folder, "#" not in uri.strip("#"))
+    made.__dict__[REFUSAL] = _refusal
     return made
 
 
@@ -71,6 +74,15 @@ def uri_from(element: EObject, folder: Path | None) -> str:
         return place.uri
     moved = PurePath(os.path.relpath(os.path.join(os.path.realpath(place.folder), unquote(path)), here)).as_posix()
     return f"{quote(moved, safe='/@!$&,;=+()~')}{mark}{fragment}"
+
+
+def address_of(element: EObject) -> str:
+    """Where a proxy leads, the same however the place of its file is written."""
+    place: _Place = element.__dict__[_PLACE]
+    path, mark, fragment = _FILE.sub("", place.uri).partition("#")
+    if place.is_local or not path or (_ABSOLUTE.match(path) and not path.startswith("/")):
+        return place.uri
+    return f"{os.path.realpath(os.path.join(place.folder, unquote(path)))}{mark}{fragment}"
 
 
 def preserve_link(owner: EObject, key: str, target: EObject, link: EObject | None, is_fixed: bool) -> None:
@@ -127,12 +139,17 @@ def _class(cls: Any) -> Any:
 
 def _set(self: EObject, name: str, value: object) -> None:
     feature = getattr(type(self), name, None)
-    if isinstance(feature, EAttribute) or (isinstance(feature, EReference) and feature.eOpposite is None):
-        raise ModelError(
-            f"{self!r} stands for an element that was not found, so '{name}' cannot be set",
-            fix="let the reference lead to an element of a file that is there",
-        )
+    is_link = isinstance(feature, EReference) and not feature.containment and feature.eOpposite is not None
+    if isinstance(feature, (EAttribute, EReference)) and not is_link:
+        raise _refusal(self, name)
     super(type(self), self).__setattr__(name, value)
+
+
+def _refusal(self: EObject, name: str) -> ModelError:
+    return ModelError(
+        f"{self!r} stands for an element that was not found, so '{name}' cannot be set",
+        fix="let the reference lead to an element of a file that is there",
+    )
 
 
 def _shown(self: EObject) -> str:

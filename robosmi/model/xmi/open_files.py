@@ -65,12 +65,12 @@ class OpenFiles:
         own: list[Package] = [package for model in self._models.values() for package in model.packages]
         return Metamodels([*dict.fromkeys([*reversed(own), *built_in().packages])])
 
-    def roots(self, path: Path, known: Metamodels) -> list[DynamicEObject] | None:
-        """The root elements of a file that was read with another one and is to be a model now, or None to read it."""
+    def read_before(self, path: Path, known: Metamodels) -> Document | None:
+        """The document of a file that was read with another one and is to be a model now, or None to read it."""
         if path in self._models or path not in self._read or (found := self._document(path)) is None:
             return None
         packages = [(root.eClass.ePackage, known.get(root.eClass.ePackage.nsURI)) for root in found.roots]
-        return found.roots if all(own is not None and as_package(own) is package for package, own in packages) else None
+        return found if all(own is not None and as_package(own) is package for package, own in packages) else None
 
     def add(self, path: Path, model: OpenModel, documents: Mapping[Path, Document]) -> None:
         """Note a model and the files that were read with it."""

@@ -85,12 +85,18 @@ def texts_of(files: OpenFiles) -> dict[Path, bytes]:
     made: dict[Path, bytes] = {}
     for path, (document, digest) in files.read().items():
         text = text_of(path, still_roots(document.roots), around, path, document.schema_locations)
-        made[path] = in_its_layout(text, path, digest, packages, path)
+        made[path] = in_its_layout(text, path, digest, packages, path, has_more=document.has_more)
     return made | {path: model.to_bytes() for path, model in models.items()}
 
 
 def in_its_layout(
-    text: bytes, source: Path, digest: str, packages: Sequence[EPackage], target: Path, anywhere: bool = False
+    text: bytes,
+    source: Path,
+    digest: str,
+    packages: Sequence[EPackage],
+    target: Path,
+    anywhere: bool = False,
+    has_more: bool = False,
 ) -> bytes:
     """The new text of a model in the layout of the file it was read from, if that is as it was and can be followed.
 
@@ -104,12 +110,13 @@ def in_its_layout(
         packages: the packages of the model.
         target: where it is saved.
         anywhere: whether another file gets the layout too if there are neither comments nor foreign parts.
+        has_more: whether the file is known to have parts that are not in the model.
     """
     try:
         original = inputs.read_bytes(source, inputs.MODEL)
     except OSError:
         return text
-    if original == text or hashlib.sha256(original).hexdigest() != digest or _is_nearly(original, text):
+    if original == text or hashlib.sha256(original).hexdigest() != digest or (not has_more and _is_nearly(original, text)):
         return text
     known = Metamodels([*packages, *built_in().packages])
     if is_json(source) and is_json(target):
@@ -121,7 +128,7 @@ def in_its_layout(
     before = _as_written(source, original, known, target)
     if before is None or before == original:  # the file's layout is ours
         return text
-    if not anywhere and os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
+    if not (anywhere or has_more) and os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
         return text
     is_metamodel = _METAMODEL.search(text[:_HEAD]) is not None  # the namespaces that its text refers to may be found nowhere
     now = text if is_metamodel else _as_written(target, text, known, target)

@@ -33,14 +33,16 @@ from robosmi.model.elements.xmi_plan import FeatureEntry
 from robosmi.model.xmi.xmi_locations import shown
 
 Problem = Callable[[Document, int, str], None]
-Missing: TypeAlias = "Callable[[Document, str, int, EObject, FeatureEntry, bool], DynamicEObject | None]"
-"""Document, URI, line, owner and feature of a reference, whether that was reported already -> what stands for its target."""
+Missing: TypeAlias = "Callable[[Document, str, int, EObject, FeatureEntry, str], DynamicEObject | None]"
+"""Document, URI, line, owner and feature of a reference, what it does instead of leading to an element; empty if that was
+reported already -> what stands for its target."""
 Preserves: TypeAlias = "Callable[[Document, str, EObject, FeatureEntry, EObject], bool]"
 """Document, URI, owner and feature of a reference, what it leads to."""
 Where: TypeAlias = "Document | Package"
 Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
 """Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
 
+LEADS_NOWHERE = "leads to nothing"
 _KEYS = re.compile(r"@([^\[]+)\[(.*)\]")
 _KEY = re.compile(r"([^=,]+)='([^']*)'")
 _TYPE = re.compile(r"[^\s:#/]+:[^\s:#/]+")
@@ -153,24 +155,24 @@ class XmiLinker:
             file, _, fragment = link.partition("#")
             where = self.open_file(document, file, line)
             if where is None:
-                return self._missing(document, link, line, owner, entry, True)
+                return self._missing(document, link, line, owner, entry, "")
             found = resolve(where, fragment)
             if found is not None and self.preserves is not None and self.preserves(document, link, owner, entry, found):
                 self._kept.add((id(owner), id(found)))
         else:
             found = resolve(document, link.removeprefix("#"))
         if found is None and self.missing is not None:
-            return self._missing(document, link, line, owner, entry, False)
+            return self._missing(document, link, line, owner, entry, LEADS_NOWHERE)
         if found is None:
-            self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
+            self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' {LEADS_NOWHERE}")
         elif "#" not in link:
             self._found[id(document)][link] = found
         return found
 
     def _missing(
-        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, unread: bool
+        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, why: str
     ) -> DynamicEObject | None:
-        found = None if self.missing is None else self.missing(document, link, line, owner, entry, unread)
+        found = None if self.missing is None else self.missing(document, link, line, owner, entry, why)
         if found is not None:
             self._kept.add((id(owner), id(found)))
         return found
@@ -239,18 +241,18 @@ class XmiLinker:
 
     def _contain(self, document: Document, owner: EObject, entry: FeatureEntry, link: str, line: int, place: int) -> None:
         """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
-        part = self.target(document, link, line, owner, entry)
+        part: EObject | None = self.target(document, link, line, owner, entry)
         if part is None:
             return
         if not entry.takes(part.__class__):
             self._wrong(document, line, owner, entry, _not_taken(entry, part))
             return
-        container: EObject | None = owner
-        while container is not None:
-            if container is part:
-                self._wrong(document, line, owner, entry, f"would make {shown(part)} contain itself")
+        if _is_inside(owner, part):
+            why = f"would make {shown(part)} contain itself"
+            if self.missing is None:
+                self._wrong(document, line, owner, entry, why)
+            if (part := self._missing(document, link, line, owner, entry, why)) is None:
                 return
-            container = container_of(container)
         if container_of(part) is not None:
             self._wrong(document, line, owner, entry, f"takes {shown(part)}, which is contained elsewhere already")
             return
@@ -270,6 +272,14 @@ class XmiLinker:
             compact_slots.note_link(part, (owner, entry.feature))
         else:
             part.__dict__[key_of(entry.back)] = new_slot(ReferenceValue, part, entry.back, owner)
+
+
+def _is_inside(element: EObject, other: EObject) -> bool:
+    """Whether an element is another one or is contained in it, however deep."""
+    above: EObject | None = element
+    while above is not None and above is not other:
+        above = container_of(above)
+    return above is not None
 
 
 def _move(many: Any, place: int) -> None:

@@ -73,12 +73,21 @@ class Builder:
         plans: the plans of this load.
         package_of: finds a package by its namespace.
         problem: receives line and text of every problem.
-        foreign: as for `parse`.
+        foreign, illegal: as for `parse`.
     """
 
-    def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None) -> None:
+    def __init__(
+        self,
+        path: Path,
+        plans: Plans,
+        package_of: PackageOf,
+        problem: Problem,
+        foreign: Foreign | None = None,
+        illegal: Foreign | None = None,
+    ) -> None:
         self.tells_foreign = foreign is not None
         self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
+        self.illegal: Foreign = illegal or (lambda line, feature, text: problem(line, f"{feature}: {text}"))
         self.document = Document(path)
         self.plans = plans
         self.package_of = package_of
@@ -221,7 +230,7 @@ class Builder:
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
         except ValueError as error:
-            self.here(f"{owner}.{entry.feature.name}: {error}")
+            self.illegal(self.at(), f"{owner}.{entry.feature.name}", str(error))
             return
         if entry.kind == VALUE:
             if entry.key in slots:
@@ -270,6 +279,7 @@ def parse(
     locations: Callable[[str], None],
     problem: Problem,
     foreign: Foreign | None = None,
+    illegal: Foreign | None = None,
 ) -> Document:
     """Build the elements of one file.
 
@@ -282,47 +292,37 @@ def parse(
         problem: receives line and text of every problem.
         foreign: receives line, text and namespace of what is of a namespace that no metamodel has, or is computed (no
             namespace); a problem if None.
+        illegal: receives line, feature and what is wrong with a value that its type does not take; a problem if None.
 
     Raises:
         Unreadable: it is no XML, or no element of it is a model's.
         ForeignRoot: its first root is an element of Ecore.
     """
     try:
-        return _Parser(path, plans, package_of, locations, problem, foreign).run(data, None)
+        return _Parser(path, plans, package_of, problem, foreign, illegal).run(data, None, locations)
     except UnknownEncoding as error:  # Python knows more of them
         declared = _DECLARED.match(data)
         try:
             text = data.decode(declared[1].decode("ascii")) if declared else ""
         except (LookupError, UnicodeDecodeError):
             raise error from None
-        return _Parser(path, plans, package_of, locations, problem, foreign).run(text.encode(), "utf-8")
+        return _Parser(path, plans, package_of, problem, foreign, illegal).run(text.encode(), "utf-8", locations)
 
 
 class _Parser(Builder):
     """The state of one pass; the two handlers that are called for every element are closures in `run`."""
 
-    def __init__(
-        self,
-        path: Path,
-        plans: Plans,
-        package_of: PackageOf,
-        locations: Callable[[str], None],
-        problem: Problem,
-        foreign: Foreign | None,
-    ) -> None:
-        super().__init__(path, plans, package_of, problem, foreign)
-        self.locations = locations
-        self.depth = 0  # inside an element that is skipped, or inside the text of a feature
-        self.texts: list[str] = []
-        self.escapes = False
-        self.several = False
+    locations: Callable[[str], None]
+    depth = 0  # inside an element that is skipped, or inside the text of a feature
+    escapes = several = False
 
-    def run(self, data: bytes, encoding: str | None) -> Document:
+    def run(self, data: bytes, encoding: str | None, locations: Callable[[str], None]) -> Document:
         """Parse.
 
         Raises:
             Unreadable, ForeignRoot: as `parse`.
         """
+        self.locations, self.texts = locations, list[str]()
         self.expat = parser = expat.ParserCreate(encoding, namespace_separator="}")
         parser.buffer_text = True
         parser.StartNamespaceDeclHandler = self.declare
@@ -388,7 +388,7 @@ class _Parser(Builder):
                     try:
                         value = text if convert is None else convert(text)
                     except ValueError as error:
-                        self.problem(parser.CurrentLineNumber, f"{plan.name}.{name}: {error}")
+                        self.illegal(parser.CurrentLineNumber, f"{plan.name}.{name}", str(error))
                         continue
                     lies_bare = attribute.bare and value.__class__ in UNBOXED_TYPES
                     child_slots[attribute.key] = value if lies_bare else new_slot(AttributeValue, child, attribute.feature, value)

@@ -10,6 +10,7 @@ import hashlib
 import os
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote
@@ -33,7 +34,7 @@ from robosmi.model.elements.pyecore_internals import (
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
 from robosmi.model.xmi.json_parser import parse_json
 from robosmi.model.xmi.text_forms import is_json, is_yaml
-from robosmi.model.xmi.xmi_linker import XmiLinker, resolve
+from robosmi.model.xmi.xmi_linker import LEADS_NOWHERE, XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 
 if TYPE_CHECKING:
@@ -296,12 +297,24 @@ class _Reader:
                 "give the metamodel of that namespace, if there is one" if uri else "none is needed: it stays as text in the file"
             )
             self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
+            more.append(line)
 
+        def illegal(line: int, feature: str, text: str) -> None:
+            said = f"{feature}: {text}, so it is not in the model"
+            self.odd.add(
+                FOREIGN, (place, feature), Location(place, line), said, "correct the value; until then it stays in the file"
+            )
+            more.append(line)
+
+        more: list[int] = []
         apart = None if self.strict else foreign
         if is_json(path) or is_yaml(path):
             document = parse_json(path, data, self.plans, self.package, problem, apart)
         else:
-            document = parse(path, data, self.plans, self.package, lambda text: self.locate(path, text), problem, apart)
+            locate = partial(self.locate, path)
+            wrong = None if self.strict else illegal
+            document = parse(path, data, self.plans, self.package, locate, problem, apart, wrong)
+        document.has_more = bool(more)
         for identity, line in document.shared_ids.items():
             if self.strict:
                 problem(line, f"the id '{identity}' is used twice")
@@ -423,24 +436,23 @@ class _Reader:
         return None
 
     def missing(
-        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, unread: bool
+        self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, why: str
     ) -> DynamicEObject | None:
         """What stands for the target of a reference that leads nowhere: what the session's hook gives, or a proxy."""
-        if self.opened is not None and self.opened.hook is not None:
+        if self.opened is not None and self.opened.hook is not None and why in ("", LEADS_NOWHERE):
             found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
             if found is not None:
                 preserve_link(owner, entry.key, found, self.proxy(document, link, entry), True)
                 return found
         place, name = Location(str(document.path), line), f"{type(owner).__name__}.{entry.feature.name}"
         if self.strict:
-            if not unread:
-                self.problems.append((place, f"{name}: '{link}' leads to nothing"))
+            if why:
+                self.problems.append((place, f"{name}: '{link}' {why}"))
             return None
         kind = link.partition("#")[0] if "#" in link else ""
-        if not unread:  # why its file was not read is reported already
-            self.odd.add(
-                UNRESOLVED, (name, kind), place, f"{name}: '{link}' leads to nothing", UNRESOLVED_FIX if kind else _LOCAL_FIX
-            )
+        if why:  # else why its file was not read is reported already
+            fix = UNRESOLVED_FIX if kind and why == LEADS_NOWHERE else _LOCAL_FIX
+            self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' {why}", fix)
         return self.proxy(document, link, entry)
 
     def preserve_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
