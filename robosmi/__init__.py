@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         plan_migration,
         recommend_libraries,
         upload_sketch,
+        verify_migration,
     )
     from robosmi.model import load_model, save_model
 
@@ -48,6 +49,7 @@ __all__ = [
     "recommend_libraries",
     "save_model",
     "upload_sketch",
+    "verify_migration",
 ]
 
 _PLACES = dict.fromkeys(__all__, "robosmi.api") | {"load_model": "robosmi.model", "save_model": "robosmi.model"}

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from robosmi.recommend.ranking import Recommendation
     from robosmi.verify.toolchains.compile_report import CompileReport
     from robosmi.verify.uploads.upload import UploadReport
+    from robosmi.verify.traces.verdict import Verdict
 
 
 class Analysed(Protocol):
@@ -138,6 +139,22 @@ class MigratedSketch(Protocol):
         """Text for a terminal."""
 
 
+class VerifiedMigration(Analysed, Protocol):
+    """The original and the migrated program, run under the same scenarios."""
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether they do the same."""
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code of the contract."""
+
+    @property
+    def written(self) -> Sequence[tuple[Path, str]]:
+        """Path and kind of each file written."""
+
+
 class PlanOptions(TypedDict, total=False):
     """What a plan of a migration may be made with.
 
@@ -186,6 +203,34 @@ class MigrationOptions(PlanOptions, total=False):
     dry_run: bool
     strict: bool
     verify: bool
+
+
+class VerifyOptions(TypedDict, total=False):
+    """How a migrated program is compared with its original.
+
+    Attributes:
+        scenarios: files with inputs over time; those stored with the models, and generated ones, if there are none.
+        engine: name of the simulator.
+        seed: of the search for scenarios.
+        vcd: file for both traces of a scenario.
+        generate: whether to search for scenarios where none are given.
+        budget_s: seconds of a typical machine's time for that search.
+        clock_s: its limit in seconds by the clock.
+        horizon_ms: how long its scenarios last at most, in milliseconds.
+        trust_original: whether the original may run where the system has no sandbox for it.
+        report: whether to write the verdict into the report.
+    """
+
+    scenarios: Sequence[Path]
+    engine: str | None
+    seed: int
+    vcd: Path | None
+    generate: bool
+    budget_s: float
+    clock_s: float | None
+    horizon_ms: float | None
+    trust_original: bool
+    report: bool
 
 
 class UploadOptions(TypedDict, total=False):
@@ -426,6 +471,26 @@ def compile_sketch(sketch: str | Path, board: str | None = None, output: str | P
     from robosmi.verify.toolchains.compiled_program import compile_into
 
     return compile_into(Path(sketch), board, into=Path(output))
+
+
+def verify_migration(output: str | Path, **options: Unpack[VerifyOptions]) -> VerifiedMigration:
+    """Compare a migrated program with its original at the pins, and write the verdict into its report.
+
+    Args:
+        output: the output folder of a migration.
+        options: see `VerifyOptions`.
+
+    Returns:
+        What was compared; `.verdict` is the verdict, `.exit_code` 0 where no difference was found.
+
+    Raises:
+        SourceError: there is no plan or program, or a file cannot be read or written.
+        UsageError: a scenario names what is not there, or no simulator knows the board.
+        MissingToolError: a compiler or simulator is not installed, or the system has no sandbox for the original.
+        VerificationError: the simulator crashed or did not end.
+    """
+    compared: VerifiedMigration = content("chain", "verify")(Path(output), **options)
+    return compared
 
 
 def upload_sketch(sketch: str | Path, port: str | None = None, **options: Unpack[UploadOptions]) -> UploadReport:

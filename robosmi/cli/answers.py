@@ -10,13 +10,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from robosmi.api import Analysed, MigratedSketch
+from robosmi.api import Analysed, MigratedSketch, VerifiedMigration
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding
 from robosmi.errors import RobosmiError
 from robosmi.project import Project
 from robosmi.verify.simulation import PinTrace
-from robosmi.verify.traces.verdict import Verdict
 
 
 class ImportedLibraries(Protocol):
@@ -124,20 +123,8 @@ class AdapterAnswer(Analysed, Protocol):
         """The files written; empty unless they were saved."""
 
 
-class ComparedPrograms(Analysed, Protocol):
+class ComparedPrograms(VerifiedMigration, Protocol):
     """The original and the migrated program, run under the same scenarios."""
-
-    @property
-    def verdict(self) -> Verdict:
-        """Whether they do the same."""
-
-    @property
-    def exit_code(self) -> int:
-        """The exit code of the contract."""
-
-    @property
-    def written(self) -> Sequence[tuple[Path, str]]:
-        """Path and kind of each file written."""
 
     @property
     def notes(self) -> Sequence[str]:
