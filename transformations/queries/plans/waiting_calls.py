@@ -50,7 +50,7 @@ def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> t
 
 def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
     """Whether the user has bound ports that only the running program knows, so that RS327 asks nothing."""
-    return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
+    return any(b.origin == "given" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 
 def lacks_pin(flow: migration.PortFlow) -> bool:

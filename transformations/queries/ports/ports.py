@@ -29,7 +29,7 @@ class Port(Struct):
 
     Attributes:
         name: of the first constant that holds it, `P12` for a bare number, the role of a convention.
-        origin: declaration, literal, runtime or convention.
+        origin: declaration, literal, runtime, given or convention.
         element: what holds the number; else the first call or register.
         pin: its number on the source board, None where it has none there (a channel of a converter).
         names: further names by which it may be called.
