@@ -108,10 +108,14 @@ class ReachedValues(Values):
         self.stepped |= {id(target)}
         numbers = [value.number for value in found]
         known = [number for number in numbers if number is not None]
-        if not known or len(known) < len(numbers) or any(
-            Paths(target, used, size > 0, self._is_known).repeats(step)
-            for step, size in self._steps(target)
-            if size and (used := _used(step, target)) is not None
+        if (
+            not known
+            or len(known) < len(numbers)
+            or any(
+                Paths(target, used, size > 0, self._is_known).repeats(step)
+                for step, size in self._steps(target)
+                if size and (used := _used(step, target)) is not None
+            )
         ):
             return [RUNTIME]
         return self._stepped(target, known, steps)
