@@ -8,7 +8,7 @@ The checks made while reading (`m2m.language.cpp_incompatibilities`) are more ex
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Set
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
