@@ -630,7 +630,7 @@ class PortBinding(Decision):
     signal: Signal = EAttribute(eType=Signal)
     """Direction of its uses in the program."""
     origin: str = EAttribute(eType=EString, default_value="")
-    """declaration (a constant or variable holds it), literal, runtime (reached by a loop, a range or the bits of a register), or convention."""
+    """declaration (a constant or variable holds it), literal, runtime (reached by a loop, a range or the bits of a register), given (only the user says that the program reaches it), or convention."""
     what: str = EAttribute(eType=EString, default_value="")
     """What the source says is connected to it."""
     element: Located | None = EReference()

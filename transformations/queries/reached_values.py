@@ -7,7 +7,8 @@ used after a step and before it is compared again. Values from outside stay unkn
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import sys
+from collections.abc import Callable, Iterator, Sequence
 from typing import TypeGuard
 
 from robosmi.metamodels import ccode
@@ -45,7 +46,9 @@ class ReachedValues(Values):
             return found
         container = reference.eContainer()
         is_stepped = _is_increment(container) or (isinstance(container, ccode.Assignment) and container.left is reference)
-        return found if is_stepped else self._beyond(reference, found)
+        if is_stepped:
+            return found
+        return self._guarded(reference, "beyond", lambda each: self._beyond(each, found), tuple(found))
 
     def _beyond(self, reference: ccode.NameReference, found: list[Value]) -> list[Value]:
         """The values of a name where it is used: perhaps one step beyond what it is compared with."""
@@ -54,12 +57,13 @@ class ReachedValues(Values):
             return found
         if isinstance(target, ccode.Variable) and self._counter(reference, target) is not None:
             return found
-        paths = Paths(target, reference)
-        for step, size in self._steps(target):
-            if size and paths.uncompared(step):
-                known = [value.number for value in found if value.number is not None]
-                found = list(dict.fromkeys([*found, *self._stepped(target, known, [size], 1)]))
-        return found
+        known = [value.number for value in found if value.number is not None]
+        for rising in (True, False):
+            paths = Paths(target, reference, rising, self._is_known)
+            sizes = [size for step, size in self._steps(target) if size and (size > 0) == rising and paths.uncompared(step)]
+            if sizes:
+                found = [*found, *self._stepped(target, known, sizes, sum(sizes))]
+        return list(dict.fromkeys(found))
 
     def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         found = super()._counter(reference, variable)
@@ -104,7 +108,17 @@ class ReachedValues(Values):
         self.stepped |= {id(target)}
         numbers = [value.number for value in found]
         known = [number for number in numbers if number is not None]
-        return self._stepped(target, known, steps) if known and len(known) == len(numbers) else [RUNTIME]
+        if (
+            not known
+            or len(known) < len(numbers)
+            or any(
+                Paths(target, used, size > 0, self._is_known).repeats(step)
+                for step, size in self._steps(target)
+                if size and (used := _used(step, target)) is not None
+            )
+        ):
+            return [RUNTIME]
+        return self._stepped(target, known, steps)
 
     def _steps(self, target: ccode.Declaration) -> Iterator[tuple[ccode.Expression, int | None]]:
         """What steps a name, and by how much: `pin++`, `pin += 2`, `pin = pin + 2`, and `pin + 2` for a parameter of the call."""
@@ -122,6 +136,9 @@ class ReachedValues(Values):
             if (own := _own_step(argument, target)) is not None:
                 yield argument, self._step_of(own[1], f"{own[0]}=")
 
+    def _is_known(self, expression: ccode.Expression | None) -> bool:
+        return all(value.number is not None for value in self.of(expression))
+
     def _step_of(self, expression: ccode.Expression | None, operator: str) -> int | None:
         """The step of a compound assignment, negative for `-=`; None where the text does not give it."""
         values = self.of(expression)
@@ -135,24 +152,22 @@ class ReachedValues(Values):
             target: the name.
             first: its initial numbers.
             steps: by how much it is stepped.
-            further: how many steps it goes beyond what it is compared with.
+            further: how far it gets beyond what it is compared with.
         """
         if None in steps:
             return [RUNTIME]
         low, high = min(first), max(first)
         bounds = list(self.bounds(target))
         if any(step is not None and step > 0 for step in steps):
-            beyond = further * max(step or 0 for step in steps)
-            tops = [number + (_UP[operator] + beyond if operator != "==" else 0) for operator, number, _ in bounds]
-            if not tops:
+            tops = [number + (_UP[operator] + further if operator != "==" else 0) for operator, number, _ in bounds]
+            if not tops or max(tops) < low:  # nothing stops it
                 return [RUNTIME]
             high = max(high, *tops)
         if any(step is not None and step < 0 for step in steps):
-            beyond = further * min(step or 0 for step in steps)
             bottoms = [
-                number + (_DOWN[operator] + beyond if operator != "==" else 0) - behind for operator, number, behind in bounds
+                number + (_DOWN[operator] + further if operator != "==" else 0) - behind for operator, number, behind in bounds
             ]
-            if not bottoms:
+            if not bottoms or min(bottoms) > high:
                 return [RUNTIME]
             low = min(low, *bottoms)
         return [Value(number, "constant") for number in range(low, high + 1)] if high - low < LIMIT else [RUNTIME]
@@ -184,34 +199,61 @@ class Paths:
     Args:
         target: the name.
         use: the use.
+        rising: whether the steps go up; comparisons stop one direction only.
+        is_known: whether the text gives the values of an expression; only a comparison with known numbers ends steps.
     """
 
-    def __init__(self, target: ccode.Declaration, use: ccode.NameReference) -> None:
+    def __init__(
+        self,
+        target: ccode.Declaration,
+        use: ccode.NameReference,
+        rising: bool,
+        is_known: Callable[[ccode.Expression | None], bool],
+    ) -> None:
         self._use, self._at = use, int(use.startOffset)
         self._function = ancestor_of_kind(use, ccode.Function)
-        self._compared: list[int] = []
-        self._again: list[int] = []
+        self._compared: list[ccode.NameReference] = []
+        self._passed: list[int] = []
+        """Where comparisons end the steps before the use."""
         for each in target.references:
             parent = each.eContainer()
             side = parent if isinstance(parent, ccode.Unary) else each
             outer = side.eContainer()
             if isinstance(outer, ccode.Binary) and str(outer.operator) in _UP:
-                self._compared.append(int(each.startOffset))
-            elif isinstance(parent, ccode.Assignment) and parent.left is each and _own_step(parent.right, target) is None:
-                statement = parent.eContainer()
+                self._compared.append(each)
+                operator = str(outer.operator) if outer.left is side else _TURNED[str(outer.operator)]
+                holds = operator in (("<", "<=", "!=") if rising else (">", ">=", "!="))
+                parts = _where_known(outer, holds, target)
+                other = outer.right if outer.left is side else outer.left
+                if any(start <= self._at < end for start, end in parts) and is_known(other):
+                    self._passed.append(int(each.startOffset))
+            elif _is_set(each, target):
+                statement = parent.eContainer() if parent is not None else None
                 block = statement.eContainer() if statement is not None else None
-                if str(parent.operator) == "=" and isinstance(block, (ccode.Block, ccode.For)) and self._is_around(block):
-                    self._again.append(int(each.startOffset))  # it is set whatever was before
+                if isinstance(block, (ccode.Block, ccode.For)) and self._is_around(block):
+                    self._passed.append(int(each.startOffset))  # it is set whatever was before
 
     def _is_around(self, element: ccode.Located) -> bool:
         return bool(element.startOffset <= self._at < element.endOffset)
 
     def _free(self, *parts: tuple[int, int]) -> bool:
-        """Whether the name is neither compared nor set in these parts of the text."""
-        return not any(start <= at < end for start, end in parts for at in (*self._compared, *self._again))
+        """Whether nothing in these parts of the text ends the steps, and the name is not set there."""
+        return not any(start <= at < end for start, end in parts for at in self._passed)
+
+    def repeats(self, step: ccode.Expression) -> bool:
+        """Whether a step, whose name is the use, may come again and again without a comparison that ends it."""
+        if (function := self._function) is None:
+            return False
+        first, last = (int(function.startOffset), int(step.endOffset)), (int(step.endOffset), int(function.endOffset))
+        if isinstance(step, ccode.Binary):
+            return self._free(first)
+        if any(self._free((int(step.endOffset), end), (start, int(step.endOffset))) for start, end in _rounds(step, function)):
+            return True
+        elsewhere = any(ancestor_of_kind(each, ccode.Function) is not function for each in self._compared)
+        return not self._is_local() and not elsewhere and self._free(first, last)
 
     def uncompared(self, step: ccode.Expression) -> bool:
-        """Whether the use may come after a step without a comparison between them."""
+        """Whether the use may come after a step without a comparison between them that ends the steps before the use."""
         function = ancestor_of_kind(step, ccode.Function)
         if function is None or self._function is None:
             return False
@@ -224,19 +266,18 @@ class Paths:
         begins = int(step.endOffset if after else step.startOffset)
         if isinstance(outer, ccode.For) and outer.step is step:
             begins = int(outer.endOffset)
-        guarded = any(function.startOffset <= at < begins for at in self._compared)
         into, out = (int(self._function.startOffset), self._at), (begins, int(function.endOffset))
         if isinstance(step, ccode.Binary):  # it is passed to the parameter
-            return guarded and self._free(into)
+            return self._free(into)
         if function is not self._function:
-            return guarded and self._free(out, into)
+            return self._free(out, into)
         if begins <= self._at and self._free((begins, self._at)):
             return True
         rounds = [*_rounds(step, function)]
         rounds = [(start, end) for start, end in rounds if start <= self._at < end]
         if any(self._free((begins, end), (start, self._at)) for start, end in rounds):
             return True
-        return guarded and not self._is_local() and self._free(out, into)
+        return not self._is_local() and self._free(out, into)
 
     def _is_local(self) -> bool:
         target = self._use.target
@@ -245,6 +286,99 @@ class Paths:
             and target.storage is not ccode.Storage.staticStorage
             and (not isinstance(target.eContainer(), ccode.SourceUnit))
         )
+
+
+def _where_known(comparison: ccode.Expression, holds: bool, target: ccode.Declaration) -> Iterator[tuple[int, int]]:
+    """The parts of the text that run only after a comparison of a name with this result, or after the name is set."""
+    inner, outer = comparison, comparison.eContainer()
+    while isinstance(outer, (ccode.Unary, ccode.Binary)):
+        operator = str(outer.operator)
+        if operator == "!":
+            holds = not holds
+        elif operator in ("&&", "||"):
+            if holds != (operator == "&&"):
+                return
+            if outer.left is inner and outer.right is not None:
+                yield _range(outer.right)
+        elif operator != "," or outer.right is not inner:
+            return
+        inner, outer = outer, outer.eContainer()
+    if isinstance(outer, ccode.ConditionalExpression) and outer.condition is inner:
+        arm = outer.whenTrue if holds else outer.whenFalse
+        yield from [_range(arm)] if arm is not None else []
+    elif isinstance(outer, ccode.Loop) and outer.condition is inner:
+        yield _range(outer) if holds else (int(outer.endOffset), _end_around(outer))
+    elif isinstance(outer, ccode.If) and outer.condition is inner:
+        branch, other = (outer.thenBranch, outer.elseBranch) if holds else (outer.elseBranch, outer.thenBranch)
+        yield from _after_branches(outer, branch, other, target)
+
+
+def _after_branches(
+    choice: ccode.If, branch: ccode.Statement | None, other: ccode.Statement | None, target: ccode.Declaration
+) -> Iterator[tuple[int, int]]:
+    """A branch of an if, and the text that only it leads to, as the other one leaves or sets the name."""
+    function = ancestor_of_kind(choice, ccode.Function)
+    end = _last(branch)
+    if branch is not None:
+        yield _range(branch)
+    if isinstance(end, ccode.Goto) and function is not None:
+        yield from ((int(label.startOffset), int(choice.endOffset)) for label in _labels(function, end))
+    leave = _last(other)
+    parts = list(other.statements) if isinstance(other, ccode.Block) else [other]
+    is_set = any(_is_set(r, target) and any(_statement(r) is part for part in parts) for r in target.references)
+    if not is_set and not isinstance(leave, (ccode.Return, ccode.Break, ccode.Continue, ccode.Goto)):
+        return
+    around = choice.eContainer()
+    after = (int(choice.endOffset), _end_around(choice))
+    back = _labels(function, leave) if isinstance(leave, ccode.Goto) and function is not None else []
+    if not any(after[0] <= label.startOffset < after[1] for label in back):
+        yield after
+    loop = around if isinstance(around, ccode.Loop) else around.eContainer() if around is not None else None
+    if isinstance(loop, ccode.Loop) and (is_set or isinstance(leave, (ccode.Return, ccode.Break))):
+        yield _range(loop)
+    if isinstance(loop, ccode.Function) and is_set:
+        yield 0, sys.maxsize
+
+
+def _range(element: ccode.Located) -> tuple[int, int]:
+    return int(element.startOffset), int(element.endOffset)
+
+
+def _end_around(statement: ccode.Statement) -> int:
+    """Where the block ends that contains a statement."""
+    around = statement.eContainer()
+    return int(around.endOffset) if isinstance(around, ccode.Located) else int(statement.endOffset)
+
+
+def _last(statement: ccode.Statement | None) -> ccode.Statement | None:
+    """The statement with which a branch ends."""
+    return statement.statements[-1] if isinstance(statement, ccode.Block) and statement.statements else statement
+
+
+def _labels(function: ccode.Function, goto: ccode.Goto) -> list[ccode.Label]:
+    return [label for label in all_of_kind(function, ccode.Label) if label.name == goto.labelName]
+
+
+def _is_in(element: ccode.Located, part: ccode.Located) -> bool:
+    return bool(element.startOffset <= part.startOffset < element.endOffset)
+
+
+def _is_set(reference: ccode.NameReference, target: ccode.Declaration) -> bool:
+    """Whether a name is assigned a value that is not a step from its own."""
+    outer = reference.eContainer()
+    is_left = isinstance(outer, ccode.Assignment) and outer.left is reference
+    return is_left and str(outer.operator) == "=" and _own_step(outer.right, target) is None
+
+
+def _statement(reference: ccode.NameReference) -> Element | None:
+    """The statement that sets a name and does nothing else."""
+    outer = reference.eContainer()
+    return outer.eContainer() if outer is not None else None
+
+
+def _used(step: ccode.Expression, target: ccode.Declaration) -> ccode.NameReference | None:
+    """The name in a step."""
+    return next((each for each in target.references if isinstance(each, ccode.NameReference) and _is_in(step, each)), None)
 
 
 def _rounds(element: ccode.Located, function: ccode.Function) -> Iterator[tuple[int, int]]:

@@ -17,6 +17,7 @@ import pytest
 import robosmi
 from robosmi.metamodels import migration
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.queries.plans.waiting_calls import CallStates
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, simulate
 from robosmi.verify.toolchains.toolchain import compile_sketch
@@ -24,6 +25,8 @@ from tests.tiers import sample
 from tests.tools import require_engine, require_tools
 
 PROGRAMS = sorted((Path(__file__).parent / "moved_ports").glob("*.c"))
+CHOICES: tuple[dict[str, str], ...] = ({}, {"P3": "D9"}, {"P3": "D9", "P7": "D8"}, {"P3": "D9", "P7": "none"})
+"""The listed port of a program is P3; what else its loop reaches only a run shows."""
 PINS = {0: "D9", 1: "D8", 2: "D7", 3: "D6", 4: "D5", 5: "D4", 6: "D3", 7: "D2", 8: "D10", 10: "D12"}
 
 
@@ -106,6 +109,20 @@ def test_what_only_a_run_shows_is_told(name: str, rules: list[str]) -> None:
         ("struct L{int pin[2];L():pin{3,4}{}void on(){high(pin[1]);}}; L a; int main(){while(1) a.on();}", {3, 4}, []),
         ("int a[]={3,4}; int main(){while(1) for(int p:a) high(p);}", {3, 4}, []),
         ("int a[]={3,4}; int main(){for(auto&p:a) p++; while(1) for(int p:a) high(p);}", {3, 4}, ["RS327"]),
+        ("int main(void){int p; for(p=3;p<6;p++) pause(1); while(1) high(p);}", {3, 4, 5, 6}, []),
+        ("int main(void){int p=6; do p--; while(p>4); while(1) high(p);}", {4, 5, 6}, []),
+        ("int main(void){int p=3; while(++p<6) pause(1); while(1) high(p);}", {3, 4, 5, 6}, []),
+        ("int main(void){int p=3; for(;;){p++; if(p>=6) break;} while(1) high(p);}", {3, 4, 5, 6}, []),
+        ("int main(void){int p=3; while(p<6){high(p); p++; high(p); p++; high(p);} while(1);}", {3, 4, 5, 6, 7}, []),
+        ("int main(void){int p=3; a: p++; if(p<6) goto a; while(1) high(p);}", {3, 4, 5, 6}, []),
+        ("int p=3; void on(void){high(p); p++;} int main(void){while(p<5) on(); while(1) low(p);}", {3, 4, 5}, []),
+        ("int main(void){int p=3,n=6; while(n--){high(p); if(++p>5) p=3;} while(1);}", {3, 4, 5}, []),
+        ("int main(void){int p=3,n=6; while(n--){if(p<5) pause(1); high(p); p++;} while(1);}", {3}, ["RS327"]),
+        ("int main(void){int p=3,n=6; while(p<5||n>0){high(p); p++; n--;} while(1);}", {3}, ["RS327"]),
+        ("void f(int p,int n){if(p==4) pause(1); high(p); if(n) f(p+1,n-1);} int main(void){f(3,5); while(1);}", {3}, ["RS327"]),
+        ("int main(void){int e=getChar(),p=3; if(p<5) pause(1); while(p<e) high(p++); while(1);}", {3}, ["RS327"]),
+        ("int main(void){int e=4,p=3; while(p<e){high(p); p++; if(e<6) e++;} while(1);}", {3, 4, 5}, []),
+        ("int main(void){char p=254,n=6; while(n--){p++; if(p<9) high(p);} while(1);}", set(), ["RS327"]),
         ("struct s{char a,b;}; int main(){s x={3,4}; char*p=(char*)&x; while(1) high(p[1]);}", set(), ["RS327"]),
     ],
 )  # fmt: skip
@@ -121,6 +138,13 @@ def test_a_bound_port_that_only_a_run_shows_is_told_as_info() -> None:
     program = next(path for path in PROGRAMS if path.stem == "stepped_result")
     plan = robosmi.plan_migration([program], bind={"P1": "D8"}).plan
     assert [(f.rule, f.severity.name) for f in plan.findings if f.rule == "RS327"] == [("RS327", "info")]
+
+
+def test_calls_of_ports_that_only_a_run_shows_are_ready_only_when_the_user_binds_one_of_them(tmp_path: Path) -> None:
+    program = tmp_path / "program.c"
+    program.write_text('#include "simpletools.h"\nint main(void) { int p = 3, n = 4; while (n--) p += 1; while (1) high(p); }\n')
+    waits = [CallStates(robosmi.plan_migration([program], bind=bind).plan).counts()["waits_for_port"] for bind in CHOICES]
+    assert waits == [1, 1, 0, 0]
 
 
 def test_a_pointer_to_functions_of_both_kinds_is_told(tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def test_every_port_that_a_program_reaches_is_listed() -> None:
 def test_a_port_has_all_its_names_and_the_place_that_holds_it() -> None:
     plan = planned("looked_at")
     assert (port(plan, "P10").name, port(plan, "P10").element.line) == ("printed", 3)  # type: ignore[union-attr]
-    assert port(plan, "P4").origin == "runtime"
+    assert port(plan, "P4").origin == "given"
     assert port(planned("conventions"), "P12").name == "abdrive.left_servo"
     assert port(planned("conventions"), "P13").name == "main.pin" or port(planned("conventions"), "P13").name == "pin"
     assert port(planned("conventions"), "abdrive.right_servo").sourcePin == 13

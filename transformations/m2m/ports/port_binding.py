@@ -250,7 +250,7 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             ports.append(port)
         if port is None and program.anything and number is not None and number < api.ports:
             holder = next((p.element for p in ports), None)
-            port = Port(api.port_name(number), "runtime", holder, number)  # type: ignore[arg-type]
+            port = Port(api.port_name(number), "given", holder, number)  # type: ignore[arg-type]
             ports.append(port)
         if port is None:
             known = sorted({alias for p in ports for alias in (p.name, *p.names)})

@@ -36,7 +36,7 @@ from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.port_pins import measures
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
-_BY_NUMBER = ("literal", "runtime")
+_BY_NUMBER = ("literal", "runtime", "given")
 """Origins of ports that the program calls by the number of their pin."""
 _LAST_NUMBER = re.compile(r"\d+\Z")
 _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)

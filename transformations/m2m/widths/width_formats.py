@@ -26,8 +26,8 @@ def has_format(name: str) -> bool:
 
 
 def handing_on(top: Iterable[TypedExpression]) -> set[str]:
-    """The program's functions that pass a format on to the standard library."""
-    return {node.name for node in top if node.form == "function" and any(_hands_on(child) for child in node.children)}
+    """The program's functions that pass a format on to the standard library; one with a deduced result is typed as a lambda."""
+    return {node.name for node in top if node.form in ("function", "lambda") and any(_hands_on(child) for child in node.children)}
 
 
 def _hands_on(node: TypedExpression) -> bool:

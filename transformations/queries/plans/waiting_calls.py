@@ -23,6 +23,8 @@ CALL_STATES = (WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT)
 all; with one that is not wired by the user's word; without a body; of what the target lacks."""
 NO_PORT = "RS326"
 """The rule of numbers that are no port of the source; calls with such a number do nothing."""
+RUN_TIME = "RS327"
+"""The rule of ports that only the running program knows; calls with such a port do nothing until one is bound."""
 
 
 def open_conventions(plan: migration.MigrationPlan, use: migration.AdapterUse) -> Q[migration.PortBinding]:
@@ -48,7 +50,7 @@ def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> t
 
 def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
     """Whether the user has bound ports that only the running program knows, so that RS327 asks nothing."""
-    return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
+    return any(b.origin == "given" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 
 def lacks_pin(flow: migration.PortFlow) -> bool:
@@ -66,7 +68,8 @@ class CallStates:
     def __init__(self, plan: migration.MigrationPlan) -> None:
         self.plan = plan
         self._of_macros = MacroCalls(plan)
-        self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
+        told = (NO_PORT,) if ports_of_runs_bound(plan) else (NO_PORT, RUN_TIME)
+        self._nowhere = {id(e) for finding in plan.findings if finding.rule in told for e in finding.elements}
         self._wrong = {id(e) for finding in plan.findings if finding.rule == PIN_RULE for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         unknown = [f for f in plan.portFlows if f.anything and not f.bindings]

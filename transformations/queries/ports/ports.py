@@ -29,7 +29,7 @@ class Port(Struct):
 
     Attributes:
         name: of the first constant that holds it, `P12` for a bare number, the role of a convention.
-        origin: declaration, literal, runtime or convention.
+        origin: declaration, literal, runtime, given or convention.
         element: what holds the number; else the first call or register.
         pin: its number on the source board, None where it has none there (a channel of a converter).
         names: further names by which it may be called.
@@ -175,7 +175,7 @@ def _flow_ports(
         written = [v.number for unit, one in flow.given for v in reached[unit.path].of(one)]
         given = [meant(number) for number in written]
         computed = [meant(v.number) for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
-        stepped = [(reached[each.unit.path], each.argument) for each in flow.arguments if reached[each.unit.path].stepped]
+        stepped = [(reached[each.unit.path], each.argument) for each in flow.arguments if flow.calculated]
         used = [meant(v.number) for known, one in stepped for v in known.passed(one)]
         numbers |= {pin_number(number) for number in (*given, *computed, *used) if number is not None}
         anything = flow.computed or None in computed or not numbers

@@ -103,3 +103,19 @@ def test_a_program_for_a_pico_is_read_with_its_widths(tmp_path: Path) -> None:
     (tmp_path / "four.c").write_text(text)
     plan = robosmi.migrate([tmp_path / "four.c"], tmp_path / "out", target="pico").models.plan
     assert [finding.line for finding in plan.findings if finding.rule == "RS337"] == []
+
+
+def test_forms_of_later_standards_are_told_where_the_compiler_of_the_target_refuses_them() -> None:
+    sketch = b"""auto deduced(int p) { return p + 1; }
+constexpr int summed(int n) { int s = 0; return s + n; }
+constexpr int chosen(int n) { if (n) return 1; return 2; }
+struct Lamp { int pin; constexpr Lamp(int p) : pin(p) { pin = p; } };
+void setup() { auto any = [](auto q) { return q + 1; }; }
+void loop() { auto kept = [k = 9](int q) { return q + k; }; int bits = 0b101; kept(bits); }
+auto single = [](int p) { return p; };
+"""
+    lines = {
+        bits: [each.line for each in compiler_complaints(GeneratedProgram({"a.ino": sketch}, "Arduino.h", int_bits=bits))]
+        for bits in (16, 32)
+    }
+    assert lines == {16: [1, 2, 3, 4, 5], 32: []}

@@ -8,7 +8,7 @@ The checks made while reading (`m2m.language.cpp_incompatibilities`) are more ex
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Set
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
@@ -42,6 +42,13 @@ _SURE = re.compile(
     re.VERBOSE,
 )
 """Matches errors that are about the program itself, not about a missing header."""
+_SURE_IN_CPP11 = re.compile(
+    r"""'auto'\ return\ without\ trailing|deduced\ return\ types\ are|'auto'\ not\ allowed\ in\ lambda\ parameter
+    |statement\ not\ allowed\ in\ constexpr|constexpr\ function's\ return\ type\ 'void'
+    |(?:variable\ declaration|use\ of\ this\ statement|multiple\ return\ statements)\ in\ (?:a\ )?constexpr""",
+    re.VERBOSE,
+)
+"""Matches errors of C++11 that later standards have not; avr-gcc only warns of the other forms of C++14."""
 _UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
 _EXPECTED = re.compile(r"expected |unexpected |.*: expected ")
 """Matches errors of syntax, which a macro or a type of a missing header causes, too."""
@@ -83,16 +90,17 @@ def compiler_complaints(
     )
     told: dict[tuple[str, int], CompilerComplaint] = {}
     for _, unit in program.units:
-        for each in _complaints(unit, program.texts, own, program.complete, is_known):
+        for each in _complaints(unit, program, own, is_known):
             if each.file != program.adapters:
                 told.setdefault((each.file, each.line), each)
     return list(told.values())
 
 
 def _complaints(
-    unit: int, texts: Mapping[str, bytes], own: Set[str], board: bool, is_known: Callable[[str], bool]
+    unit: int, program: GeneratedProgram, own: Set[str], is_known: Callable[[str], bool]
 ) -> Iterator[CompilerComplaint]:
-    """The errors of a unit; `board` says whether the board's macros are there, so that `#error` is the program's answer to it."""
+    """The errors of a unit; if the board's macros are there, `#error` is the program's answer to it."""
+    texts, board = program.texts, program.complete
     library = clang.library()
     plain: dict[tuple[str, int], bool] = {}
     for number in range(library.getNumDiagnostics(unit)):
@@ -105,6 +113,7 @@ def _complaints(
             if name.startswith(SKETCH):
                 by_program = board and _ERROR.match(texts[name], texts[name].rfind(b"\n", 0, offset) + 1) is not None
                 sure = bool(_SURE.match(message)) or (unknown is not None and unknown[1] in own) or by_program
+                sure |= program.old_standard and bool(_SURE_IN_CPP11.match(message))
                 if not sure and not board and _EXPECTED.match(message):
                     at = (name, texts[name].rfind(b"\n", 0, offset) + 1)
                     if at not in plain:  # a line may have many errors

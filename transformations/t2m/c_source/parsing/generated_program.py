@@ -36,7 +36,7 @@ _FLAGS = (
     "-nostdinc", "-nostdinc++", "-Wno-everything", "-ferror-limit=0", "-fno-spell-checking",
     f"-I{SKETCH}", f"-I{_STUB}",
 )  # fmt: skip
-_NEWER = ("-Werror=c++17-extensions", "-Wno-error=c++17-attribute-extensions", "-Werror=constexpr-body")
+_NEWER = ("-Werror=c++17-extensions", "-Wno-error=c++17-attribute-extensions", "-Werror=c++14-extensions")
 """What the compilers of the targets refuse in the standard that is given to them, and libclang only warns of."""
 _LANGUAGE = {"C": ("-xc", "-std=gnu11"), "C++": ("-xc++", "-std=gnu++11", "-nostdinc++", "-fpermissive", *_NEWER)}
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
@@ -71,6 +71,7 @@ class GeneratedProgram:
         texts: absolute name -> the text that was parsed.
         units: each parsed file that is no header, with its handle in libclang.
         unread: the files that libclang gave up.
+        old_standard: whether the target's compiler is surely given C++11, as those of AVR are.
         complete: whether the API's headers and the prototypes of the target's tools are there, so that what is not declared
             is a library's.
     """
@@ -93,6 +94,7 @@ class GeneratedProgram:
         self.files, self.adapters, self._vast = files, adapters, vast
         self.texts = {f"{SKETCH}/{name}": data for name, data in files.items()}
         self.texts[f"{SKETCH}/{adapters}"] = _BODIES.sub(rb"\1;", files.get(adapters, b""))
+        self.old_standard = int_bits == 16
         self._continued, self.complete = frozenset(tabs[1:]), api is not None
         if tabs:
             self.texts |= {f"{SKETCH}/{name}": data for name, data in _joined(files, tabs).items()}
