@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from robosmi.project import Project
     from robosmi.recommend.ranking import Recommendation
     from robosmi.verify.toolchains.compile_report import CompileReport
-    from robosmi.verify.uploads.upload import UploadReport
     from robosmi.verify.traces.verdict import Verdict
+    from robosmi.verify.uploads.upload import UploadReport
 
 
 class Analysed(Protocol):

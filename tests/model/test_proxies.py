@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -181,7 +182,7 @@ def test_nothing_is_put_into_a_proxy_for_it_would_not_be_saved(way: str, folder:
     (folder / "q.xmi").unlink()
     model = opened(folder, "p.xmi")
     group, node = model.roots[0].groups[0], model.Node(name="n")
-    ways = {
+    ways: dict[str, Callable[[], object]] = {
         "append": lambda: group.nodes.append(node),
         "extend": lambda: group.nodes.extend([node]),
         "insert": lambda: group.nodes.insert(0, node),

@@ -145,7 +145,7 @@ class ReachedValues(Values):
         number = values[0].number if len(values) == 1 else None
         return None if number is None or operator not in ("+=", "-=") else number if operator == "+=" else -number
 
-    def _stepped(self, target: ccode.Declaration, first: list[int], steps: list[int | None], further: int = 0) -> list[Value]:
+    def _stepped(self, target: ccode.Declaration, first: list[int], steps: Sequence[int | None], further: int = 0) -> list[Value]:
         """All numbers between the initial ones and those that a stepped name is compared with; unknown if nothing bounds it.
 
         Args:
@@ -295,12 +295,12 @@ def _where_known(comparison: ccode.Expression, holds: bool, target: ccode.Declar
         operator = str(outer.operator)
         if operator == "!":
             holds = not holds
-        elif operator in ("&&", "||"):
+        elif isinstance(outer, ccode.Binary) and operator in ("&&", "||"):
             if holds != (operator == "&&"):
                 return
             if outer.left is inner and outer.right is not None:
                 yield _range(outer.right)
-        elif operator != "," or outer.right is not inner:
+        elif not isinstance(outer, ccode.Binary) or operator != "," or outer.right is not inner:
             return
         inner, outer = outer, outer.eContainer()
     if isinstance(outer, ccode.ConditionalExpression) and outer.condition is inner:
@@ -366,8 +366,9 @@ def _is_in(element: ccode.Located, part: ccode.Located) -> bool:
 def _is_set(reference: ccode.NameReference, target: ccode.Declaration) -> bool:
     """Whether a name is assigned a value that is not a step from its own."""
     outer = reference.eContainer()
-    is_left = isinstance(outer, ccode.Assignment) and outer.left is reference
-    return is_left and str(outer.operator) == "=" and _own_step(outer.right, target) is None
+    if not isinstance(outer, ccode.Assignment) or outer.left is not reference:
+        return False
+    return str(outer.operator) == "=" and _own_step(outer.right, target) is None
 
 
 def _statement(reference: ccode.NameReference) -> Element | None:
