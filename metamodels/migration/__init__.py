@@ -637,6 +637,8 @@ class PortBinding(Decision):
     """The declaration or the first use."""
     role: str = EAttribute(eType=EString, default_value="")
     """The kind of component that the functions expect there (servo, ranger), empty if they do not imply one."""
+    usualKind: str = EAttribute(eType=EString, default_value="")
+    """The kind of component that such functions are most often used with, as which a picture without a drawing shows it; empty if they disagree or say nothing."""
     convention: PinConvention | None = EReference()
     """The convention of an API, if it is one."""
     conventionalPort: ConventionalPort | None = EReference()
@@ -673,6 +675,7 @@ class PortBinding(Decision):
             what: str | None = None,
             element: Located | None = None,
             role: str | None = None,
+            usualKind: str | None = None,
             convention: PinConvention | None = None,
             conventionalPort: ConventionalPort | None = None,
             discharges: bool | None = None,

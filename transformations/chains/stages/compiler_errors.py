@@ -152,7 +152,7 @@ class _KnownWords:
 
     @cached_property
     def _api(self) -> ApiIndex | None:
-        return ApiIndex.load(str(self._plan.source.name)) if self._plan.source is not None else None
+        return ApiIndex.of(self._plan.source) if self._plan.source is not None else None
 
     def __call__(self, word: str) -> bool:
         """Whether a word is known."""

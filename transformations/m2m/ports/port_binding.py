@@ -135,6 +135,9 @@ def bind_ports(
     seats = [replace(seat, unlike=heard_or_seen - seat.usual - {seat.role}) for seat in seats]
     for seat in seats:
         seat.binding.role = seat.role
+    if not connections:
+        for port, binding in zip(ports, bindings, strict=True):
+            binding.usualKind = _usual_kind(port, api.settings.get("ports", {}), values)
     assign(seats, free, limit, complete=not found.anything)
     for port, binding in zip(ports, bindings, strict=True):
         if not binding.open:
@@ -422,6 +425,15 @@ def _usual(port: Port, usual: Mapping[str, Sequence[str]]) -> frozenset[str]:
     called = called - set(usual.get("anything", ())) or called
     kinds = [frozenset(usual[function]) for function in called if function in usual]
     return frozenset.intersection(*kinds) if kinds and len(kinds) == len(called) else frozenset()
+
+
+def _usual_kind(port: Port, facts: Mapping[str, Any], values: ValuesOf) -> str:
+    """The kind of component that all functions receiving a port are used with, the most frequent one; empty if there is none."""
+    if tones := tone_kinds(_frequencies(port, facts.get("tones", {}), values)):
+        return min(tones)
+    usual: Mapping[str, Sequence[str]] = facts.get("usual") or facts.get("pictured", {})
+    said = [usual[function] for function in dict.fromkeys(use.function for use in port.uses) if function in usual]
+    return next((kind for kind in said[0] if all(kind in other for other in said)), "") if said else ""
 
 
 def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:

@@ -9,18 +9,12 @@ no check reads it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
-from typing import Any
+from collections.abc import Iterator
 
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import all_contents
-from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.queries.circuits.component_kinds import tone_kinds
 from robosmi.transformations.queries.circuits.drawn_symbols import UNKNOWN, symbol_of
-from robosmi.transformations.queries.code import ValuesOf, argument_numbers
 from robosmi.transformations.queries.plans.port_pins import WITHOUT_PIN, bound_pin, source_name
-from robosmi.transformations.queries.values import Values
 
 PRESUMED = "the program"
 """The tool of such a circuit: no drawing tool made it."""
@@ -38,7 +32,7 @@ def presumed_circuit(plan: migration.MigrationPlan) -> hardware.Circuit | None:
     bindings = [binding for binding in plan.portBindings if binding.choice not in WITHOUT_PIN]
     if plan.circuit is not None or board is None or not bindings:
         return None
-    drawn, kinds = _board(board), _Kinds(plan)
+    drawn = _board(board)
     pins = {str(connector.pin): connector for connector in drawn.connectors}
     nets: dict[str, hardware.Net] = {}
     parts: dict[tuple[str, str], hardware.Component] = {}
@@ -56,33 +50,13 @@ def presumed_circuit(plan: migration.MigrationPlan) -> hardware.Circuit | None:
         )  # fmt: skip
         part.connectors.append(wire)
         if symbol_of(part)[0] == UNKNOWN:
-            part.family = kinds.of(list(_calls(plan, binding)))
+            part.family = str(binding.usualKind)
         if len(part.connectors) > 1:
             part.role = hardware.Role.Both
         if (pin := bound_pin(binding)) is not None and (label := str(pin.label)) in pins:
             net = nets.setdefault(label, hardware.Net(name=label, connectors=[pins[label]]))
             net.connectors.append(wire)
     return hardware.Circuit(name=str(plan.name), tool=PRESUMED, components=[drawn, *parts.values()], nets=[*nets.values()])
-
-
-class _Kinds:
-    """What the functions of a plan's source platform are usually used with."""
-
-    def __init__(self, plan: migration.MigrationPlan) -> None:
-        api = ApiIndex.load(str(plan.source.name)) if plan.source is not None else None
-        facts: Mapping[str, Any] = api.settings.get("ports", {}) if api is not None else {}
-        self._tones: Mapping[str, int] = facts.get("tones", {})
-        self._usual: Mapping[str, Sequence[str]] = facts.get("usual") or facts.get("pictured", {})
-        self._values: ValuesOf = cache(lambda unit: Values(unit.program, unit))
-
-    def of(self, calls: Sequence[ccode.Call]) -> str:
-        """The first kind that all of these calls are for; empty where they disagree or say nothing."""
-        named = [(str(call.calleeName), call) for call in calls]
-        places = [(call, self._tones[name]) for name, call in named if name in self._tones]
-        if tones := tone_kinds({n for call, place in places for n in argument_numbers(call, place, self._values)}):
-            return min(tones)
-        said = [self._usual[name] for name in dict.fromkeys(name for name, _ in named) if name in self._usual]
-        return next((kind for kind in said[0] if all(kind in other for other in said)), "") if said else ""
 
 
 def _board(board: platform.Board) -> hardware.Component:
