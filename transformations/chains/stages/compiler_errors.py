@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from functools import cache, cached_property
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -132,7 +132,7 @@ def compiler_errors(
 
 
 class _KnownWords:
-    """Tells of a word of the program whether it is the source's or the plan's own, and no macro or type of a header.
+    """Tells of words of the program whether all are the source's or the plan's own, and no macro or type of a header.
 
     No word is known where the source itself has an error, which is told there.
     """
@@ -154,14 +154,12 @@ class _KnownWords:
     def _api(self) -> ApiIndex | None:
         return ApiIndex.of(self._plan.source) if self._plan.source is not None else None
 
-    def __call__(self, word: str) -> bool:
-        """Whether a word is known."""
-        if not self._written or self._api is None:
-            return False
-        if word in self._own:
-            return True
-        plain = word.rstrip("_") in self._written and word not in _MACROS  # a rule that renames adds an underscore
-        return plain and all(entry.kind in _PLAIN_KINDS for entry in self._api.entries(word))
+    def __call__(self, words: Set[str]) -> bool:
+        """Whether all of some words are known."""
+        others = words - self._own
+        if not self._written or any(word.rstrip("_") not in self._written or word in _MACROS for word in others):
+            return False  # a rule that renames adds an underscore
+        return self._api is not None and all(entry.kind in _PLAIN_KINDS for word in others for entry in self._api.entries(word))
 
 
 def source_place(

@@ -72,7 +72,7 @@ class CompilerComplaint(NamedTuple):
 
 
 def compiler_complaints(
-    program: GeneratedProgram, is_known: Callable[[str], bool] = lambda word: False
+    program: GeneratedProgram, are_known: Callable[[Set[str]], bool] = lambda words: not words
 ) -> list[CompilerComplaint]:
     """The lines of a program's files that a compiler refuses, each once, in the order of the files.
 
@@ -80,7 +80,7 @@ def compiler_complaints(
 
     Args:
         program: the program, in C++.
-        is_known: whether a word that is no keyword is the program's own, and no macro or type of a header.
+        are_known: whether all of some words, which are no keywords, are the program's own, and no macro or type of a header.
     """
     own = (
         set[str]()
@@ -90,14 +90,14 @@ def compiler_complaints(
     )
     told: dict[tuple[str, int], CompilerComplaint] = {}
     for _, unit in program.units:
-        for each in _complaints(unit, program, own, is_known):
+        for each in _complaints(unit, program, own, are_known):
             if each.file != program.adapters:
                 told.setdefault((each.file, each.line), each)
     return list(told.values())
 
 
 def _complaints(
-    unit: int, program: GeneratedProgram, own: Set[str], is_known: Callable[[str], bool]
+    unit: int, program: GeneratedProgram, own: Set[str], are_known: Callable[[Set[str]], bool]
 ) -> Iterator[CompilerComplaint]:
     """The errors of a unit; if the board's macros are there, `#error` is the program's answer to it."""
     texts, board = program.texts, program.complete
@@ -117,7 +117,7 @@ def _complaints(
                 if not sure and not board and _EXPECTED.match(message):
                     at = (name, texts[name].rfind(b"\n", 0, offset) + 1)
                     if at not in plain:  # a line may have many errors
-                        plain[at] = _is_plain(texts[name], at[1], is_known)
+                        plain[at] = are_known(_words(texts[name], at[1]))
                     sure = plain[at]
                 if sure:
                     line = texts[name].count(b"\n", 0, offset) + 1
@@ -125,9 +125,9 @@ def _complaints(
         library.disposeDiagnostic(handle)
 
 
-def _is_plain(text: bytes, start: int, is_known: Callable[[str], bool]) -> bool:
-    """Whether each word of the line that starts at an offset, and of the one before that has any, is a keyword or known."""
+def _words(text: bytes, start: int) -> set[str]:
+    """The words but for keywords of the line that starts at an offset, and of the one before that has any."""
     end = text.find(b"\n", start)
     before = text.rfind(b"\n", 0, len(text[:start].rstrip()) if start else 0) + 1
-    words = {word for kind, _, _, word in tokens(text[before : end if end >= 0 else len(text)]) if kind == "name"}
-    return all(word in KEYWORDS or is_known(word) for word in words)
+    line = text[before : end if end >= 0 else len(text)]
+    return {word for kind, _, _, word in tokens(line) if kind == "name" and word not in KEYWORDS}
