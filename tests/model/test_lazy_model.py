@@ -146,7 +146,7 @@ def test_a_file_that_is_not_plain_is_as_if_loaded(tmp_path: Path, old: str, new:
 def test_a_load_that_fails_fails_each_time(tmp_path: Path) -> None:
     file = tmp_path / "odd.xmi"
     file.write_text(SHOP.read_text().replace('size="large"', 'size="huge"'), encoding="utf-8")
-    lazy = lazily(file)
+    lazy = lazily(file, strict=True)
     book = lazy.element("b1")
     for _ in range(2):
         with pytest.raises(ModelError, match=r"odd\.xmi:5: Book\.size: 'huge'"):
