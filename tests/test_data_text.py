@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.base.data_text import json_of, toml_of
+from robosmi.base.data_text import as_number, json_of, toml_of
 
 
 @pytest.mark.parametrize("read", [toml_of, json_of])
@@ -35,3 +35,10 @@ def test_dots_of_texts_comments_and_numbers_are_no_parts_of_keys() -> None:
     dots = "a." * 300 + "b"
     text = f'# {dots}\na.b.c = "{dots}"\nd = """\n{dots}"""\ne = \'\'\'\n{dots}\'\'\'\nf = [{"1.5, " * 300}]\n'
     assert toml_of(text)["d"] == dots
+
+
+@pytest.mark.parametrize("value", ["1", True, None, [1]])
+def test_what_is_no_number_is_refused(value: Any) -> None:
+    assert as_number(1) == 1
+    with pytest.raises(ValueError, match="it is not a number"):
+        as_number(value)

@@ -31,6 +31,13 @@ def test_two_models_of_one_metamodel_have_the_same_types() -> None:
     assert Session().metamodel(LIBRARY).find("Book") is not one.Book.kind
 
 
+def test_a_session_says_which_metamodels_it_has() -> None:
+    s = Session()
+    assert repr(s) == "<Session of no metamodels yet>"
+    s.metamodel(LIBRARY)
+    assert repr(s) == "<Session of library.ecore>"
+
+
 def test_a_file_read_on_its_own_is_the_one_that_others_refer_to() -> None:
     s = Session()
     common = s.metamodel(COMMON)

@@ -60,7 +60,8 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
 def _bind_each(u: ccode.SourceUnit) -> str:
     """The advice for ports that only the running program knows, with a port as the source platform calls it."""
     name = the_move().view(u).api.port_name(4)
-    return f'bind each port that it can be, with --bind {name}=PIN or [bind] {name} = "PIN"; the others do nothing'
+    given = f'--bind {name}=PIN or [bind] {name} = "PIN"'
+    return f"bind each further port that it can be, with {given}; if there is none, bind any other port to none"
 
 
 @units.constraint(
