@@ -197,6 +197,15 @@ def test_a_static_function_or_macro_of_another_file_leaves_an_adapter_its_name()
     assert Work(models.plan).calls["total"] == 3
 
 
+def test_a_static_function_of_a_header_is_that_of_the_files_that_include_it() -> None:
+    models = plan_of("names_in_a_header", {"P5": "D8"}, project=False)
+    files = {file.name.rpartition("/")[2]: file.after or "" for file in completion.program(models).files}
+    assert [files["a.ino"].count(f"{name}(8)") for name in ("high", "low")] == [1, 1]
+    assert "high_(9)" in files["b.cpp"]
+    assert "void high_(" in files["own.h"]
+    assert fired(models) == []
+
+
 def test_an_enumerator_that_is_a_word_of_cpp_is_renamed_and_moved() -> None:
     models = plan_of("renamed/words.c", {"private": "D9"}, project=False)
     text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))

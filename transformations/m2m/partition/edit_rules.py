@@ -346,3 +346,5 @@ RULES: dict[str, EditRule] = {
 
 EVERYWHERE = frozenset({"rename", "rename-tag", "tag-of-member"})
 """Rules that change every unit of the program, not only the one with their element."""
+INCLUDED = frozenset({"rename-here"})
+"""Rules that change the unit with their element and those that include it."""

@@ -15,8 +15,9 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.designated_lists import positional
-from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, POSITIONAL, RULES
+from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, INCLUDED, POSITIONAL, RULES
 from robosmi.transformations.m2m.ports.port_texts import MOVES, explicit_enumerators, replacement
+from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.plans.binding_edits import writes
 from robosmi.transformations.queries.plans.port_pins import port_text
 from robosmi.transformations.queries.plans.retained_pins import AS_WRITTEN, retained_pins
@@ -40,11 +41,19 @@ def change_texts(
     for rule, word, reason in wanted if element is not None else ():
         assert element is not None
         if rule in RULES:
-            for text in texts if rule in EVERYWHERE else (_text(element, texts),):
+            for text in _texts(rule, element, texts):
                 made += [_change(text, place, rule, reason) for place in RULES[rule](element, word, text)]
     if disposition.changes:
         disposition.changes.clear()
     disposition.changes.extend(made)
+
+
+def _texts(rule: str, element: ccode.Located, texts: Sequence[SourceText]) -> Sequence[SourceText]:
+    """The texts that a rule changes: that of the element, those of the units that include it, too, or all."""
+    if rule in EVERYWHERE:
+        return texts
+    own = _text(element, texts)
+    return [text for text in texts if text is own or own.unit in included(text.unit)] if rule in INCLUDED else [own]
 
 
 def _text(element: ccode.Located, texts: Sequence[SourceText]) -> SourceText:

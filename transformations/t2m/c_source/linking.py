@@ -108,15 +108,20 @@ class Linker:
                 return function
         if own is not None and own.storage.name != "staticStorage":
             return own
-        return self._static_of_header(name) or own
+        return self._static_of_header(number, name) or own
 
-    def _static_of_header(self, name: str) -> ccode.Function | None:
-        """The static function of that name if just one header defines one: a header that is included later may call it."""
+    def _static_of_header(self, number: int, name: str) -> ccode.Function | None:
+        """The static function of that name if just one header that the unit includes defines one.
+
+        A header may call what another one defines that is included before it.
+        """
+        met = {os.path.abspath(path) for path in self.contexts[number].parsed.inclusions[1:]}
         found = [
             functions[name]
-            for number, functions in enumerate(self.own_functions)
-            if self._shared[number] and name in functions and functions[name].definition
-        ]
+            for header, functions in enumerate(self.own_functions)
+            if name in functions and functions[name].definition
+            and self._shared[header] and (self._shared[number] or os.path.abspath(self.contexts[header].source.path) in met)
+        ]  # fmt: skip
         return found[0] if len(found) == 1 else None
 
     def _of_unit(self, number: int, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:

@@ -1,0 +1,2 @@
+#include "own.h"
+void blink(void) { high(9); }

@@ -1,0 +1,1 @@
+static void high(int n) { (void)n; }
