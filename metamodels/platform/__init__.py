@@ -976,6 +976,8 @@ class Pin(Element, metaclass=MetaEClass):
     """Output of that timer."""
     reserved: str = EAttribute(eType=EString, default_value="")
     """What it is reserved for, empty for nothing."""
+    drivenByCore: bool = EAttribute(eType=EBoolean)
+    """Whether the core drives it by itself, as for a light of the serial line: a program that leaves it alone changes it, too."""
     bearsVolts: float = EAttribute(eType=EDouble)
     """Maximum voltage of this pin in volts, if it differs from the microcontroller's; else 0."""
     interruptLine: str = EAttribute(eType=EString, default_value="")
@@ -994,6 +996,7 @@ class Pin(Element, metaclass=MetaEClass):
             timer: str | None = None,
             channel: str | None = None,
             reserved: str | None = None,
+            drivenByCore: bool | None = None,
             bearsVolts: float | None = None,
             interruptLine: str | None = None,
         ) -> None: ...

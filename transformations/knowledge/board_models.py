@@ -30,7 +30,9 @@ _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
-_PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts", "interrupt_line")
+_PIN_KEYS = (
+    "label", "port", "aliases", "abilities", "timer", "channel", "reserved", "bears_volts", "interrupt_line", "driven_by_core",
+)  # fmt: skip
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
 _BOARD_KEYS = (
@@ -167,6 +169,7 @@ def _pin(entry: DataTable, timers: Sequence[str], shared_channels: bool) -> plat
         timer=timer,
         channel=channel,
         reserved=entry.text("reserved", ""),
+        drivenByCore=entry.flag("driven_by_core", False),
         bearsVolts=entry.decimal("bears_volts") if "bears_volts" in entry.values else 0.0,
         interruptLine=entry.text("interrupt_line", ""),
     )

@@ -16,9 +16,10 @@ from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played, signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
+from robosmi.transformations.verification.judgement.side_effects import foreign_pin
 from robosmi.transformations.verification.search.scenario_inputs import reads_console, texts_understood
 from robosmi.verify.scenario import Points, Scenario
-from robosmi.verify.simulation import DeviceUse
+from robosmi.verify.simulation import DeviceUse, PinChange, PinTrace
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "docs" / "examples"
 
@@ -302,3 +303,14 @@ int main() {
 """)
     texts = texts_understood(robosmi.plan_migration([tmp_path / "menu.c"]).plan)
     assert {"faster\r", "slower\r", "faster 50\r", "slower 70000\r"} <= set(texts)
+
+
+def test_a_light_of_the_core_is_no_pin_of_the_sketch(tmp_path: Path) -> None:
+    (tmp_path / "p.c").write_text('#include "simpletools.h"\nint main() { high(5); }')
+    plan = robosmi.plan_migration([tmp_path / "p.c"], target="micro").plan
+    trace = PinTrace("e", "running", 1e6, tuple(PinChange(at, "D17", level) for at, level in ((9.0, 1), (1100.0, 0))), (), (), ())
+    nothing = PinTrace("e", "running", 1e6, (), (), (), ())
+    assert foreign_pin(nothing, trace, [], resting_pins(plan)) is None
+    found = foreign_pin(nothing, trace, [], {})
+    assert found is not None
+    assert found.channel == "D17"

@@ -36,6 +36,7 @@ from robosmi.transformations.queries.ports.split_wires import answering_pin, wri
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.transformations.verification.bound_devices.wired_devices import WiredDevice, wired_devices
 
+ANY_LEVEL = -1
 _LEVELS = {"low": 0, "high": 1}
 _LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
 """Kind of the device, and its pin, that plays a port at which the program reads levels."""
@@ -285,8 +286,12 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice], api: A
 
 
 def resting_pins(plan: migration.MigrationPlan) -> dict[str, int]:
-    """Label -> level (0 or 1) of the pins that a program holds from its start so that the component there does nothing."""
-    return {str(c.pin.label): _LEVELS[str(c.restLevel)] for c in rest_levels(plan) if c.pin is not None}
+    """Label -> level (0 or 1) of the pins that a program holds from its start so that the component there does nothing.
+
+    `ANY_LEVEL` stands for those that the target's core drives by itself.
+    """
+    core = {str(pin.label): ANY_LEVEL for pin in plan.board.pins if pin.drivenByCore} if plan.board is not None else {}
+    return core | {str(c.pin.label): _LEVELS[str(c.restLevel)] for c in rest_levels(plan) if c.pin is not None}
 
 
 @cache

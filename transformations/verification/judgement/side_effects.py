@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from types import MappingProxyType
 
-from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.port_devices import ANY_LEVEL, BoundPort
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.comparison import FirstDifference
 
@@ -110,9 +110,9 @@ def _driven(trace: PinTrace, at_rest: Mapping[str, int] = NO_LEVELS) -> dict[str
     """Each pin that is driven to another level than at rest, by edges or by a timer -> since when, in microseconds."""
     found: dict[str, float] = {}
     for change in trace.changes:
-        if change.level in DRIVEN and change.level != at_rest.get(change.pin):
+        if change.level in DRIVEN and at_rest.get(change.pin) not in (change.level, ANY_LEVEL):
             found.setdefault(change.pin, change.at_us)
     for wave in trace.waves:
-        if wave.hz > 0:
+        if wave.hz > 0 and at_rest.get(wave.pin) != ANY_LEVEL:
             found.setdefault(wave.pin, wave.at_us)
     return found
