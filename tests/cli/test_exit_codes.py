@@ -91,8 +91,7 @@ def test_5_is_an_open_choice_under_strict_and_writes_nothing(
     before = tree(tmp_path)
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--strict")
     assert outcome.code == 5
-    assert "LED" in outcome.err
-    assert "library for Red (633nm)-LED1" in outcome.err
+    assert "open choices (1): LED" in outcome.err
     assert tree(tmp_path) == before
 
 
