@@ -41,9 +41,11 @@ def test_an_empty_literal_is_a_literal(tmp_path: Path) -> None:
 
 def test_the_name_of_a_literal_that_has_another_text_is_refused() -> None:
     with pytest.raises(ModelError, match="'None' is no literal of K") as caught:
-        EmfModel.load(CASES / "by_name.xmi", EMPTY)
+        EmfModel.load(CASES / "by_name.xmi", EMPTY, strict=True)
     assert caught.value.location is not None
     assert caught.value.location.line == 2
+    read = EmfModel.load(CASES / "by_name.xmi", EMPTY)
+    assert [(f.rule, f.location and f.location.line) for f in read.findings] == [("RS610", 2)]
 
 
 def test_an_empty_default_is_that_of_the_type() -> None:
