@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 from msgspec.structs import replace
 
@@ -9,7 +11,7 @@ from robosmi.transformations.verification.judgement.scenario_verdicts import loo
 from robosmi.transformations.verification.judgement.verdict import verdict_of
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import PinTrace
+from robosmi.verify.simulation import PinChange, PinTrace
 from tests.transformations.verification.test_verdict import SCENARIO, original, printed
 
 SOURCE = ((100.0, "far"), (300.0, "near"), (500.0, "far"))
@@ -52,6 +54,20 @@ def test_no_further_runs_are_made_where_nothing_differs() -> None:
         raise AssertionError("there was nothing to look at")
 
     assert looked_at_again(told, SCENARIO, printed(*SOURCE), [], True, runs, further) is told
+
+
+def test_a_pin_without_a_port_is_looked_at_again_like_a_channel() -> None:
+    runs = original(printed(*SOURCE))
+    trace = replace(printed(*SOURCE), changes=(PinChange(200_000.0, "D9", 1),))
+    told = verdict_of(SCENARIO, runs, trace, [], one_thread=True)
+    asked: list[float | None] = []
+
+    def apart(scenario: Scenario, before: SourceRuns, differs_at: Callable[[SourceRuns], float | None]) -> bool:
+        asked.append(differs_at(before))
+        return False
+
+    found = looked_at_again(told, SCENARIO, trace, [], True, runs, lambda _, before: before, apart=apart)
+    assert (told.verdict, found.verdict, asked) == ("different", "different", [200.0])
 
 
 def with_run(runs: SourceRuns, trace: PinTrace) -> SourceRuns:

@@ -157,12 +157,17 @@ def looked_at_again(
 
         target = channel_events(trace, ports, target=True)
 
+        def events_of(channel: str, each: SourceRuns) -> tuple[Sequence[ActivityEvent], Sequence[ActivityEvent]]:
+            if channel not in each.channels or channel not in target:  # compared beside the channels: pauses, foreign pins
+                return (), ()
+            return each.channels[channel][0][0], target[channel][0]
+
         def differs_at(each: SourceRuns) -> float | None:
             other = verdict_of(scenario, each, trace, ports, one_thread, at_rest)
             left = [c for c in other.channels if c.channel in differ and c.status != SAME]
             if differ <= {c.channel for c in other.channels} and not left:
                 return None
-            return min((_agrees_until(c, each.channels[c.channel][0][0], target[c.channel][0]) for c in left), default=0.0)
+            return min((_agrees_until(c, *events_of(c.channel, each)) for c in left), default=0.0)
 
         if apart(scenario, runs, differs_at):
             return ScenarioVerdict(scenario, NOT_DECIDABLE, _without_differences(again), again.simulated_ms, _HANGS_ON_A_PASS)
