@@ -119,6 +119,7 @@ def test_of_boards_with_one_name_the_one_with_most_of_the_options_is_meant() -> 
         ("freq=134", "menu 'freq' of 'rpipico' has no option '134'"),
         ("fast=1", "has no menu 'fast'"),
         ("freq", "is not the full name of a board"),
+        ("freq=125,freq=133", "has the menu 'freq' twice"),
     ],
 )
 def test_an_unknown_menu_or_option_is_refused_as_compile_does_it(options: str, why: str) -> None:

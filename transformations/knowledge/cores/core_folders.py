@@ -45,7 +45,7 @@ class BoardName(NamedTuple):
         """The name that a text is.
 
         Raises:
-            UsageError: it is none.
+            UsageError: it is none, or chooses two options of one menu.
         """
         parts = text.split(":")
         named = all(_WORD.fullmatch(part) for part in parts[:3])  # the names of folders are made of them
@@ -55,6 +55,9 @@ class BoardName(NamedTuple):
                 f"'{text}' is not the full name of a board",
                 fix="write VENDOR:ARCHITECTURE:BOARD, or with :MENU=OPTION,MENU=OPTION",
             )
+        menus = [menu for menu, _, _ in options]
+        if twice := next((menu for menu in menus if menus.count(menu) > 1), None):
+            raise UsageError(f"'{text}' has the menu '{twice}' twice", fix="choose one option of each menu")
         return cls(parts[0], parts[1], parts[2], tuple((menu, option) for menu, _, option in options))
 
     def __str__(self) -> str:
