@@ -437,7 +437,6 @@ def target_repository(
         if as_given:
             _choose_options(facts.full_name, made.boardMappings[0], board)
     made.libraries.clear()
-    made.libraries.clear()
     made.libraries.extend(libraries)
     if facts.shared is not None:
         made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in KINDS})

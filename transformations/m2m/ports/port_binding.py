@@ -130,19 +130,20 @@ def bind_ports(
     free = [c for c in free if id(c) not in heard]
     values: ValuesOf = cache(_values)  # for all ports: many may share a variable
     tones: Mapping[str, int] = api.settings.get("ports", {}).get("tones", {})
-    heard_or_seen = frozenset().union(*(tone_kinds(_frequencies(port, tones, values)) for port in ports))
-    seats = [_seat(p, b, found, api, split, values) for p, b in zip(ports, bindings, strict=True) if b.open]
+    toned = {id(port): tone_kinds(_frequencies(port, tones, values)) for port in ports}
+    heard_or_seen = frozenset().union(*toned.values())
+    seats = [_seat(p, b, found, api, split, toned[id(p)]) for p, b in zip(ports, bindings, strict=True) if b.open]
     seats = [replace(seat, unlike=heard_or_seen - seat.usual - {seat.role}) for seat in seats]
     for seat in seats:
         seat.binding.role = seat.role
     if not connections:
         for port, binding in zip(ports, bindings, strict=True):
-            binding.usualKind = _usual_kind(port, api.settings.get("ports", {}), values)
+            binding.usualKind = _usual_kind(port, api.settings.get("ports", {}), toned[id(port)])
     assign(seats, free, limit, complete=not found.anything)
     for port, binding in zip(ports, bindings, strict=True):
         if not binding.open:
             _split(port, binding, connections, split)
-            seat = _seat(port, binding, found, api, split, values)
+            seat = _seat(port, binding, found, api, split, toned[id(port)])
             binding.role = seat.role
             rank(seat, _within_reach(binding, bindings, connections))
         binding.mirrored = _is_mirrored(port, api)
@@ -227,7 +228,7 @@ def _values(unit: ccode.SourceUnit) -> Values:
 
 
 def _seat(
-    port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex, split: frozenset[str], values: ValuesOf
+    port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex, split: frozenset[str], toned: frozenset[str]
 ) -> Seat:
     facts = api.settings.get("ports", {})
     given = _arguments(port, found)
@@ -235,7 +236,7 @@ def _seat(
     siblings += [p.name for p in found.ports if p.origin == "declaration"]
     role = _role(port, facts.get("roles", {}), api)
     names = [argument.parameter.name for argument in given]
-    usual = tone_kinds(_frequencies(port, facts.get("tones", {}), values)) or _usual(port, facts.get("usual", {}))
+    usual = toned or _usual(port, facts.get("usual", {}))
     own = facts.get("own", {}).get(api.port_name(port.pin), "") if port.pin is not None else ""
     return Seat(binding, _words(port, api), names, siblings, role, usual, _is_split(port, split), port.uses, own)
 
@@ -427,10 +428,16 @@ def _usual(port: Port, usual: Mapping[str, Sequence[str]]) -> frozenset[str]:
     return frozenset.intersection(*kinds) if kinds and len(kinds) == len(called) else frozenset()
 
 
-def _usual_kind(port: Port, facts: Mapping[str, Any], values: ValuesOf) -> str:
-    """The kind of component that all functions receiving a port are used with, the most frequent one; empty if there is none."""
-    if tones := tone_kinds(_frequencies(port, facts.get("tones", {}), values)):
-        return min(tones)
+def _usual_kind(port: Port, facts: Mapping[str, Any], toned: frozenset[str]) -> str:
+    """The kind of component that all functions receiving a port are used with, the most frequent one; empty if there is none.
+
+    Args:
+        port: the port.
+        facts: what the platform's data says of its ports.
+        toned: the kinds that its tones are for.
+    """
+    if toned:
+        return min(toned)
     usual: Mapping[str, Sequence[str]] = facts.get("usual") or facts.get("pictured", {})
     said = [usual[function] for function in dict.fromkeys(use.function for use in port.uses) if function in usual]
     return next((kind for kind in said[0] if all(kind in other for other in said)), "") if said else ""

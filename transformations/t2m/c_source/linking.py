@@ -48,7 +48,9 @@ class Linker:
         self.externals: dict[tuple[str, str], ccode.Declaration] = {}
         self.own_functions: list[dict[str, ccode.Function]] = [_functions(d) for d in declarations]
         self.own_types = [_types(c) for c in contexts]
-        read = {os.path.abspath(p) for c in contexts for p in c.parsed.inclusions[1:]}
+        self._included = [{os.path.abspath(path) for path in context.parsed.inclusions[1:]} for context in contexts]
+        """For each unit the files that are read with it."""
+        read = set().union(*self._included)
         self._shared = [c.source.path.lower().endswith(HEADERS) or os.path.abspath(c.source.path) in read for c in contexts]
         """For each unit whether it is a header: by its file name, or because another unit includes it."""
         self._header_values = _values_of_headers(self._shared, declarations)
@@ -115,14 +117,16 @@ class Linker:
 
         A header may call what another one defines that is included before it.
         """
-        met = {os.path.abspath(path) for path in self.contexts[number].parsed.inclusions[1:]}
         found = [
             functions[name]
             for header, functions in enumerate(self.own_functions)
-            if name in functions and functions[name].definition
-            and self._shared[header] and (self._shared[number] or os.path.abspath(self.contexts[header].source.path) in met)
-        ]  # fmt: skip
+            if name in functions and functions[name].definition and self._shared[header] and self._meets(number, header)
+        ]
         return found[0] if len(found) == 1 else None
+
+    def _meets(self, number: int, header: int) -> bool:
+        """Whether a unit may have the names of a header: it includes it, or is one itself."""
+        return self._shared[number] or os.path.abspath(self.contexts[header].source.path) in self._included[number]
 
     def _of_unit(self, number: int, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:
         """The function of that name in the program's header that libclang resolved the call to; this finds static ones too."""
