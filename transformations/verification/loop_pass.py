@@ -55,7 +55,8 @@ def hangs_on_a_pass(
 ) -> bool:
     """Whether the source does what the target did if it sees the inputs of a scenario up to a pass of its loop earlier or later.
 
-    First all changes are moved alike, then, at each difference that is left, one of those beside it.
+    First all changes are moved alike, then, at each difference that is left, one of those beside it. A difference long before
+    the first change hangs on none, so nothing is run.
 
     Args:
         program: the original.
@@ -68,6 +69,8 @@ def hangs_on_a_pass(
     points = (point for settings in scenario.signals.values() for points in settings.values() for point in points)
     changes = sorted({float(at_ms) for at_ms, _ in points if float(at_ms) > 0})
     if not changes:
+        return False
+    if (early_ms := differs_at(runs)) is not None and early_ms < changes[0] - _LONGEST_PASS_MS:
         return False
     devices, until_us = played(ports, scenario, target=False), scenario.horizon_ms * 1000
     pass_ms = longest_pass_ms(program.calls(devices, 0, until_us, limit_s))

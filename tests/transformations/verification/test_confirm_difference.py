@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 
 import pytest
 from msgspec.structs import replace
 
-from robosmi.transformations.verification.judgement.scenario_verdicts import looked_at_again
+from robosmi.errors import VerificationError
+from robosmi.transformations.verification.judgement import scenario_verdicts
+from robosmi.transformations.verification.judgement.scenario_verdicts import compare_scenarios, looked_at_again
 from robosmi.transformations.verification.judgement.verdict import verdict_of
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.transformations.verification.target_side import TargetSide
+from robosmi.verify.original import Original
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinChange, PinTrace
 from tests.transformations.verification.test_verdict import SCENARIO, original, printed
@@ -56,6 +60,32 @@ def test_no_further_runs_are_made_where_nothing_differs() -> None:
     assert looked_at_again(told, SCENARIO, printed(*SOURCE), [], True, runs, further) is told
 
 
+@pytest.mark.parametrize(
+    ("origin", "looks"), [("stored", 1), ("generated", 3)], ids=["stored", "generated ones that are racy are not stored"]
+)
+def test_a_difference_that_is_confirmed_is_not_looked_at_again(origin: str, looks: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    looked: list[str] = []
+
+    def further(program: object, ports: object, scenario: Scenario, runs: SourceRuns, limit_s: float) -> SourceRuns:
+        looked.append(scenario.name)
+        return runs
+
+    monkeypatch.setattr(scenario_verdicts, "run_further", further)
+    lamp = replace(printed(*SOURCE), changes=(PinChange(200_000.0, "D9", 1),))
+    wrong = printed((100.0, "far"), (300.0, "far"), (500.0, "far"))
+    traces = [wrong, printed(*SOURCE), wrong, wrong]
+    cases = [(Scenario(f"s{number}", 1000.0, origin=origin), original(printed(*SOURCE))) for number in range(len(traces))]
+    found = compare_scenarios(Silent(), [], cases, Shown(traces), True, {})
+    assert [each.told.verdict == "different" for each in found.kept] == [True, False, True, True]
+    assert len(looked) == looks
+    looked.clear()
+    other = [replace(cases[0][0], name="console"), replace(cases[0][0], name="a pin")]
+    compare_scenarios(
+        Silent(), [], [(each, original(printed(*SOURCE))) for each in other], Shown([printed(*SOURCE[:2]), lamp]), True, {}
+    )
+    assert looked == ["console", "a pin"]
+
+
 def test_a_pin_without_a_port_is_looked_at_again_like_a_channel() -> None:
     runs = original(printed(*SOURCE))
     trace = replace(printed(*SOURCE), changes=(PinChange(200_000.0, "D9", 1),))
@@ -68,6 +98,23 @@ def test_a_pin_without_a_port_is_looked_at_again_like_a_channel() -> None:
 
     found = looked_at_again(told, SCENARIO, trace, [], True, runs, lambda _, before: before, apart=apart)
     assert (told.verdict, found.verdict, asked) == ("different", "different", [200.0])
+
+
+class Silent(Original):
+    """An original whose runs are there already."""
+
+    store_bytes = 0
+
+
+class Shown(TargetSide):
+    """A migrated program whose runs are there already."""
+
+    def __init__(self, traces: Sequence[PinTrace]) -> None:
+        self.traces, self.shows_console = traces, True
+
+    def run(self, scenarios: Sequence[Scenario]) -> Iterator[PinTrace | VerificationError]:
+        assert len(scenarios) == len(self.traces)
+        yield from self.traces
 
 
 def with_run(runs: SourceRuns, trace: PinTrace) -> SourceRuns:

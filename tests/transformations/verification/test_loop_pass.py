@@ -11,7 +11,7 @@ from robosmi.transformations.verification.judgement.scenario_verdicts import loo
 from robosmi.transformations.verification.judgement.verdict import verdict_of
 from robosmi.transformations.verification.loop_pass import hangs_on_a_pass, longest_pass_ms
 from robosmi.transformations.verification.original_side import SourceRuns, run_source, run_varied
-from robosmi.verify.original import LibraryCall
+from robosmi.verify.original import LibraryCall, Original, OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from tests.host_model.bench import original
@@ -27,6 +27,13 @@ int main() {
 }
 """
 PORTS = [BoundPort("P3", "P3", "P3", device="levels", pin="pin"), BoundPort("P5", "P5", "P5")]
+
+
+class Unrun(Original):
+    """An original that is not to run."""
+
+    def calls(self, devices: object, begin_us: float, end_us: float, limit_s: float = 60.0) -> list[LibraryCall]:
+        raise AssertionError("it was run")
 
 
 def scenario(at_ms: float, lasts_ms: float = 700.0) -> Scenario:
@@ -70,6 +77,13 @@ def test_faults_stay_differences(old: str, new: str) -> None:
     assert PROGRAM.count(old) == 1
     assert judged(1000.0, PROGRAM.replace(old, new)) == "different"
     assert judged(1100.0, PROGRAM.replace(old, new)) == "different"
+
+
+def test_a_difference_long_before_the_first_change_hangs_on_none() -> None:
+    runs = SourceRuns(OriginalRun(PinTrace("", "running", 3e6, (), (), (), ()), "running", "", b""), (), {})
+    assert not hangs_on_a_pass(Unrun(), PORTS, scenario(1000.0), runs, 60.0, lambda _: 750.0)
+    with pytest.raises(AssertionError, match="run"):
+        hangs_on_a_pass(Unrun(), PORTS, scenario(1000.0), runs, 60.0, lambda _: 850.0)
 
 
 def test_a_change_that_is_seen_much_later_is_a_difference() -> None:
