@@ -206,12 +206,17 @@ def HasACapacitor(b: migration.PortBinding) -> bool | Fail:
     nets = [end.net for end in (*connection.connectors, *connection.boardConnectors) if end.net is not None]
     if component is None or any(_is_capacitor(owner) for net in nets for owner, _ in w.on(net)):
         return True
-    divider = _gives_voltage(w, connection) or _is_divided(w, component, nets)
-    if not divider or any(_is_capacitor(part) for part in connection.via):
+    if any(_is_capacitor(part) for part in connection.via):
+        return True
+    if not _gives_voltage(w, connection) and not _is_divided(w, component, nets):
         return True
     label = connection.pin.label if connection.pin is not None else ""
     what = f"the port '{b.name}' ({label}) measures the discharge of a capacitor"
-    return fault(component, f"{what}, but '{who(component)}' there is a voltage divider without one", pin=label)
+    does = "drives its output" if w.facts(component).output == _DRIVES else "is a voltage divider without one"
+    return fault(component, f"{what}, but '{who(component)}' there {does}", pin=label)
+
+
+_DRIVES = "push-pull"
 
 
 def _is_capacitor(part: hardware.Component) -> bool:
@@ -219,13 +224,19 @@ def _is_capacitor(part: hardware.Component) -> bool:
 
 
 def _gives_voltage(w: Wiring, connection: migration.Connection) -> bool:
-    """Whether a connector of a component is called the output of a voltage."""
-    return any(w.means(end, "analog") for end in connection.connectors)
+    """Whether a component drives its output, or a connector is called the output of a voltage."""
+    assert connection.component is not None
+    facts = w.facts(connection.component)
+    outputs = () if "*" in facts.analog else facts.analog  # bare parts are not called anything
+    ends = connection.connectors
+    return facts.output == _DRIVES or any(w.means(end, "analog") or end.name.strip().lower() in outputs for end in ends)
 
 
 def _is_divided(w: Wiring, component: hardware.Component, nets: Sequence[hardware.Net]) -> bool:
-    """Whether a component of two terminals and a resistor join a pin to two different rails."""
+    """Whether a component of two terminals and a resistor, or both ends of a potentiometer, join a pin to two different rails."""
     own = {net for _, net in w.nets(component) if net.rail}
+    if w.facts(component).kind == "potentiometer":
+        return len(own) > 1
     return len(component.connectors) == 2 and bool(own) and any(_resistor_rails(w, net) - own for net in nets if not net.rail)
 
 
@@ -278,17 +289,20 @@ def HostBearsTheLevels(b: migration.PortBinding) -> bool | Fail:
     plan, pin = of_plan(b), bound_pin(b)
     assert plan is not None
     assert pin is not None
-    w, board = wired(plan), plan.boardComponent
     volts = float(plan.board.volts) if plan.board is not None else 0.0
-    for connector, net in w.nets(board) if board is not None else ():
-        for host, end in w.on(net) if connector.pin == pin.label and not net.rail else ():
-            most = w.facts(host).signal_volts
-            if host is not board and host.role in (Role.Unknown, Role.Board) and most is not None and volts > most:
-                what = (
-                    f"the program drives {pin.label} with {volts:g} V, and it is wired to {displayed_name(end)} of '{who(host)}'"
-                )
-                return fault(host, f"{what}, whose pins bear {most:g} V", pin=pin.label)
+    for host, end in _others_at(plan, pin):
+        most = wired(plan).facts(host).signal_volts
+        if host.role in (Role.Unknown, Role.Board) and most is not None and volts > most:
+            what = f"the program drives {pin.label} with {volts:g} V, and it is wired to {displayed_name(end)} of '{who(host)}'"
+            return fault(host, f"{what}, whose pins bear {most:g} V", pin=pin.label)
     return True
+
+
+def _others_at(plan: migration.MigrationPlan, pin: platform.Pin) -> list[tuple[hardware.Component, hardware.Connector]]:
+    """What is wired to a pin, with its connectors: components, and boards that run other programs."""
+    w, board = wired(plan), plan.boardComponent
+    nets = [net for end, net in w.nets(board) if end.pin == pin.label and not net.rail] if board is not None else []
+    return [(owner, end) for net in nets for owner, end in w.on(net) if owner is not board]
 
 
 @bindings.critique(
@@ -301,6 +315,8 @@ def SomethingIsThere(b: migration.PortBinding) -> bool | Fail:
     assert plan is not None
     assert pin is not None
     if "LED_BUILTIN" in pin.aliases or any(c.pin is pin for c in plan.connections):
+        return True
+    if any(owner.role is Role.Board for owner, _ in _others_at(plan, pin)):
         return True
     return Fail(f"the program uses the port '{b.name}' on {pin.label}, but nothing is wired there", pin=pin.label)
 

@@ -36,6 +36,7 @@ HERE = Path(__file__).parent
 ROOT = HERE.parents[2]
 DRAWINGS, PLANS = HERE / "drawings", HERE / "plans"
 OF_DRAWINGS = [c for module in electrical.modules() for context in module.contexts for c in context.constraints]
+MEASURES = '#include "simpletools.h"\nint main(void) {\n  high(5);\n  print("%d", rc_time(5, 1));\n}\n'
 OF_PLANS = [c for context in together.contexts for c in context.constraints]
 
 
@@ -300,6 +301,48 @@ def test_the_serial_port_of_the_board_itself_needs_nothing_drawn(tmp_path: Path)
     plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv").plan
     assert sorted(b.choice for b in plan.portBindings if b.name in ("P30", "P31")) == ["D0", "D1"]
     assert "RS262" not in {f.rule for f in plan.findings}
+
+
+@pytest.mark.parametrize(
+    ("row", "says"),
+    [
+        ("TEMT6000 ambient light sensor,light,SIG", "is a voltage divider without one"),
+        ("LM35,warmth,VOUT", "drives its output"),
+        ("QTI sensor,line,R", ""),  # with a capacitor of its own
+    ],
+)
+def test_a_capacitor_is_missed_where_a_part_gives_a_voltage(row: str, says: str, tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text(MEASURES)
+    (tmp_path / "wiring.csv").write_text(f"pin,part,title,connector\nA1,{row}\n")
+    plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv", bind={"P5": "A1"}).plan
+    said = [f.message for f in plan.findings if f.rule == "RS270"]
+    assert len(said) == bool(says)
+    assert all(message.endswith(says) for message in said)
+
+
+@pytest.mark.parametrize("rails", [{"GND": "GND.1"}, {"GND": "GND.1", "VCC": "5V"}], ids=["a resistor that is set", "a divider"])
+def test_a_potentiometer_between_two_rails_gives_a_voltage(rails: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text(MEASURES)
+    parts = [{"type": "wokwi-arduino-uno", "id": "uno"}, {"type": "wokwi-potentiometer", "id": "dial"}]
+    wires = [["uno:A1", "dial:SIG", "", []], *([f"uno:{at}", f"dial:{end}", "", []] for end, at in rails.items())]
+    (tmp_path / "diagram.json").write_text(json.dumps({"version": 1, "parts": parts, "connections": wires}))
+    plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "diagram.json", bind={"P5": "A1"}).plan
+    assert ("RS270" in {f.rule for f in plan.findings}) == (len(rails) > 1)
+
+
+def test_another_board_is_something_at_a_pin(tmp_path: Path) -> None:
+    """A regression: a drawn Pico was called nothing by one finding, and a host that bears 3.6 V by the other."""
+    (tmp_path / "robot.c").write_text('#include "simpletools.h"\nint main(void) {\n  high(7);\n}\n')
+    parts = [{"type": f"wokwi-{kind}", "id": kind} for kind in ("arduino-uno", "pi-pico")]
+    wire = ["arduino-uno:7", "pi-pico:GP3", "green", []]
+    (tmp_path / "diagram.json").write_text(json.dumps({"version": 1, "parts": parts, "connections": [wire]}))
+    plan = plan_migration(
+        [tmp_path / "robot.c"],
+        hardware=tmp_path / "diagram.json",
+        bind={"P7": "D7"},
+        project=Project(roles={"#arduino-uno": "Board"}),
+    ).plan
+    assert {f.rule for f in plan.findings} & {"RS262", "RS272"} == {"RS272"}
 
 
 @pytest.mark.parametrize(("board", "pins"), [("pico", "254, 254"), ("nucleo-f401re", "254, 254"), ("esp32", "3, 1")])
