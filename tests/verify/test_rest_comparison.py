@@ -52,6 +52,21 @@ def test_motions_that_last_for_a_time_are_compared_one_by_one(target: list[Rest]
     assert compare_rests("wheel at rest", [way(64, 90)], target, TIMED).status == status
 
 
+@pytest.mark.parametrize(
+    ("beyond", "place", "status"),
+    [
+        (0.0, 62.5, SAME),  # two servos
+        (0.0, 58.9, DIFFERENT),
+        (3.2, 58.9, SAME),  # a motor does not go on for 50 ms
+        (3.2, 55.0, DIFFERENT),
+    ],
+)
+def test_a_servo_that_is_left_alone_goes_on_and_a_motor_does_not(beyond: float, place: float, status: str) -> None:
+    servo = [each._replace(beyond=3.2) for each in way(64)]
+    motor = [each._replace(beyond=3.2 - beyond) for each in way(place)]
+    assert compare_rests("wheel at rest", [servo], motor, TIMED).status == status
+
+
 def test_a_difference_tells_both_places_and_what_is_the_same() -> None:
     found = compare_rests("left at rest", [way(64, 90), way(64, 90.5)], way(64, 84), PLACED)
     assert found.difference is not None

@@ -74,14 +74,13 @@ def _rests(trace: PinTrace, number: int) -> list[Rest]:
     found: list[Rest] = []
     for event in trace.device_events:
         if event.device == number and event.what == _RESTS:
-            place, way, changes, since_us, barely, timed = as_list(event.value)
+            *numbers, barely, timed, beyond = as_list(event.value)
+            place, way, changes, since_us = map(as_number, numbers)
             driven = None
             if timed is not None:
                 timed_way, timed_changes, aim = as_list(timed)
                 driven = Driven(as_number(timed_way), as_number(timed_changes), str(aim))
-            found.append(
-                Rest(as_number(since_us) / 1000, as_number(place), as_number(way), as_number(changes), bool(barely), driven)
-            )
+            found.append(Rest(since_us / 1000, place, way, changes, bool(barely), driven, as_number(beyond)))
     return found
 
 
@@ -120,6 +119,7 @@ def compare_rests(channel: str, runs: Sequence[Sequence[Rest]], target: Sequence
                 continue
             break
         goals = followed
+        expected = [each._replace(width=each.width + abs(rest.beyond - row[-1].beyond)) for each in expected]
         if not any(_fits(each) for each in expected):
             return ChannelComparison(channel, DIFFERENT, _told(channel, (row[0], row[-1]), expected[0], kind), compared)
         first, compared = number + 1, compared + 1

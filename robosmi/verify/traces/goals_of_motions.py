@@ -45,6 +45,7 @@ class Rest(NamedTuple):
         changes: the sum of all absolute changes of speed on that path, in units per second.
         barely: whether another run of the same program may not rest here.
         driven: how it was driven on that path, None if that is not known.
+        beyond: how far it went on without being driven, as a servo does, and a motor does not.
     """
 
     at_ms: float
@@ -53,6 +54,7 @@ class Rest(NamedTuple):
     changes: float
     barely: bool = False
     driven: Driven | None = None
+    beyond: float = 0.0
 
 
 class RestKind(NamedTuple):

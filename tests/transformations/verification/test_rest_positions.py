@@ -77,3 +77,19 @@ FIRST: Json = [10.0, 10.0, 100.0, False]
 )
 def test_places_of_rest_are_noted_once_each(steps: list[tuple[float, int]], told: list[Json]) -> None:
     assert driven(*steps) == told
+
+
+@pytest.mark.parametrize(("pulses_again", "beyond"), [(False, 2.5), (True, 0.0)])
+def test_how_far_it_went_on_without_pulses_is_noted(pulses_again: bool, beyond: float) -> None:
+    told: list[Json] = []
+    rests = RestPositions(130_000.0, 135_000.0, 0.5, lambda _, value: told.append(value))
+    rests.driven(50.0, 150_000.0)
+    rests.moved(10.0, 200_000.0)
+    rests.went_on(0.05)
+    rests.driven(0.0, 200_000.0)
+    if pulses_again:
+        rests.driven(50.0, 210_000.0)
+        rests.driven(0.0, 220_000.0)
+    rests.moved(10.0, 400_000.0)
+    rests.ended(400_000.0)
+    assert [as_list(each)[6] for each in told] == [beyond]

@@ -52,8 +52,9 @@ class FeedbackServo(PulseDriven):
             self.driven(0.0)
 
     def _tell(self) -> None:
-        if self.left_alone:
+        if self.left_alone and self._speed:
             self._speed = 0.0
+            self.left()
         self._degrees += self._speed * (self.bench.now - self._told) / 1e6
         self._told = self.bench.now
         if abs(self._degrees - self._held) > self.least_motion:

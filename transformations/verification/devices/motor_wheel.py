@@ -76,6 +76,6 @@ class MotorWheel(Wheel):
         self.bench.at(self.bench.now + _FRAME_US, self._go_on)
 
     @property
-    def left_alone(self) -> bool:
-        """False: levels last."""
-        return False
+    def alone_us(self) -> float:
+        """0: levels last."""
+        return 0.0

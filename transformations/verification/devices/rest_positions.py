@@ -20,8 +20,9 @@ class RestPositions:
         least: the shortest path that counts as a motion. After a path below twice this length, a rest counts as marginal.
         note: called with "rests" and a list: the position relative to the initial one, the length of the path since the
             previous rest, the sum of all absolute changes of speed on it, the begin of the rest in microseconds, whether
-            another run of the same program may not rest here, and, if it is known how the program drove the device, a list:
-            the path length and the changes of speed while it was driven for a time, and how it was driven last.
+            another run of the same program may not rest here, if it is known how the program drove the device, a list: the
+            path length and the changes of speed while it was driven for a time, and how it was driven last, and how far it went
+            on without being driven.
     """
 
     def __init__(self, rests_us: float, surely_us: float, least: float, note: Callable[[str, Json], None]) -> None:
@@ -40,12 +41,12 @@ class RestPositions:
         self._driven_us: float | None = None
         self._forget_motion()
         self._resting = True
-        self._rest: tuple[float, float, float, Json] | None = None
+        self._rest: tuple[float, float, float, Json, float] | None = None
         """The path length, changes of speed, begin and further facts of a rest that is not noted yet."""
         self._sum, self._count = 0.0, 0
 
     def _forget_motion(self) -> None:
-        self._way = self._speed = self._changes = self._timed_way = self._timed_changes = 0.0
+        self._way = self._speed = self._changes = self._timed_way = self._timed_changes = self._beyond = 0.0
 
     def aimed(self, aim: str) -> None:
         """Set how the program drives the device from now on.
@@ -63,6 +64,15 @@ class RestPositions:
     def _timed(self) -> bool:
         return self._aim == FOR_A_TIME
 
+    @property
+    def speed(self) -> float:
+        """How fast it is driven, whichever way."""
+        return abs(self._speed)
+
+    def went_on(self, gap_s: float) -> None:
+        """Say that the device went on at its speed for that time, in seconds, without being driven."""
+        self._beyond = self.speed * gap_s
+
     def driven(self, speed: float, now_us: float) -> None:
         """Set the speed at which the device is driven.
 
@@ -74,7 +84,7 @@ class RestPositions:
             self._resting = False
             self._forget_motion()
         if speed:
-            self._driven_us = now_us
+            self._driven_us, self._beyond = now_us, 0.0
         change = abs(speed - self._speed)
         self._changes += change
         self._timed_changes += change if self._timed else 0.0
@@ -105,7 +115,7 @@ class RestPositions:
                 timed: Json = None
                 if self._aim:
                     timed = [round(self._timed_way, 3), round(self._timed_changes + (stop if self._timed else 0.0), 3), self._aim]
-                self._rest = self._way, self._changes + stop, self._driven_us, timed
+                self._rest = self._way, self._changes + stop, self._driven_us, timed, self._beyond
 
     def ended(self, now_us: float) -> None:
         """Note the last rest, if it is not noted yet, since it or the run has ended.
@@ -115,8 +125,8 @@ class RestPositions:
         """
         if self._rest is None:
             return
-        way, changes, since_us, timed = self._rest
+        way, changes, since_us, timed, beyond = self._rest
         self._rest = None
         place = self._sum / self._count - self._first
         barely = now_us - since_us < self._surely_us or way < 2 * self._least
-        self._note("rests", [round(place, 3), round(way, 3), round(changes, 3), since_us, barely, timed])
+        self._note("rests", [round(place, 3), round(way, 3), round(changes, 3), since_us, barely, timed, round(beyond, 3)])

@@ -13,7 +13,7 @@ from robosmi.transformations.verification.devices.waypoints import Waypoints
 from robosmi.verify.bench import FOR_A_TIME, TO_A_PLACE, Device, Level
 from robosmi.verify.traces.goals_of_motions import FRAME_S
 
-_LONGEST_GAP_US = 50_000
+LONGEST_GAP_S = 0.05
 
 
 class PulseDriven(Device):
@@ -60,7 +60,7 @@ class PulseDriven(Device):
         Args:
             position: where the device is now, in its own unit.
         """
-        self._marks.leeway = self._leeway.distance
+        self._marks.leeway = self._leeway.distance + self._rests.speed * max(0.0, self.alone_us / 1e6 - FRAME_S)
         self._marks.moved(position, self.bench.now)
         self._rests.moved(position, self.bench.now)
 
@@ -90,14 +90,24 @@ class PulseDriven(Device):
         self._rests.driven(speed, self.bench.now)
         self._leeway.driven(speed)
 
+    def left(self) -> None:
+        """Stop, since no pulse comes any more: a motor would have stopped with the last one."""
+        self._rests.went_on(LONGEST_GAP_S)
+        self.driven(0.0)
+
     def ended(self) -> None:
         """Note the last place of rest."""
         self._rests.ended(self.bench.now)
 
     @property
+    def alone_us(self) -> float:
+        """The time since the last pulse."""
+        return self.bench.now - self._last_pulse
+
+    @property
     def left_alone(self) -> bool:
         """Whether no pulse has come for so long that the device stops."""
-        return self.bench.now - self._last_pulse > _LONGEST_GAP_US
+        return self.alone_us > LONGEST_GAP_S * 1e6
 
 
 _LATE_S = 0.045 - FRAME_S

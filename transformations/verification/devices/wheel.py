@@ -52,7 +52,7 @@ class Wheel(PulseDriven):
     def _turn(self) -> None:
         if self.left_alone and self._speed:
             self._speed = 0.0
-            self.driven(0.0)
+            self.left()
         self._place += self._speed * _STEP_US / 1e6
         self.moved_to(self._place)
         if floor(self._place) != self._tick:
