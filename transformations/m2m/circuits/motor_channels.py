@@ -1,26 +1,33 @@
 """Finds the channels of the motor drivers that are wired to the board, and says what each lacks to drive a motor.
 
-Which connectors are the inputs of a channel is data of the motor driver (`knowledge.motor_drivers`). Adapters of servo functions
-drive a motor through a complete channel; the variants for that are chosen by `drawn_kinds`.
+Which connectors are the inputs of a channel is data of the motor driver (`parts/motor_drivers.toml` of the platform repository,
+whose head explains the keys). Adapters of servo functions drive a motor through a complete channel; the variants for that are
+chosen by `drawn_kinds`.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
 
+from msgspec import Struct
+
+from robosmi import resources
+from robosmi.base.data_tables import DataTable
 from robosmi.metamodels import hardware, migration, platform
-from robosmi.transformations.knowledge.motor_drivers import (
-    MOTOR_DRIVER,
-    DriverChannel,
-    DriverInputs,
-    driver_inputs,
-    plain_name,
-)
+from robosmi.project import read_data
 from robosmi.transformations.knowledge.wildcards import Wildcards
 
 _PWM = "pwm"
 Pins = Mapping[str, platform.Pin]
 """Plain name of a connector -> the pin of the board there."""
+
+_FILE = "parts/motor_drivers.toml"
+_MOTOR_DRIVER = "motor driver"
+"""The kind of these parts, as `parts/electrical.toml` calls it."""
+_BLANKS = re.compile(r"[\s_-]+")
 
 
 def motor_channels(connections: Sequence[migration.Connection]) -> list[migration.MotorChannel]:
@@ -43,19 +50,19 @@ def drawn_kinds(connections: Iterable[migration.Connection], channels: Iterable[
         channels: the channels of its motor drivers.
     """
     devices = (c.component.device for c in connections if c.component is not None and c.pin is not None)
-    kinds = {str(device.kind) for device in devices if device is not None} - {MOTOR_DRIVER}
+    kinds = {str(device.kind) for device in devices if device is not None} - {_MOTOR_DRIVER}
     if any(not channel.missing for channel in channels):
-        kinds.add(MOTOR_DRIVER)
+        kinds.add(_MOTOR_DRIVER)
     return frozenset(kind.replace(" ", "-") for kind in kinds)
 
 
 def _is_driver(component: hardware.Component) -> bool:
-    return component.device is not None and component.device.kind == MOTOR_DRIVER
+    return component.device is not None and component.device.kind == _MOTOR_DRIVER
 
 
 def _channels(driver: hardware.Component, connections: Sequence[migration.Connection]) -> list[migration.MotorChannel]:
-    known = driver_inputs(str(connector.name) for connector in driver.connectors)
-    pins = {plain_name(str(end.name)): c.pin for c in connections if c.pin is not None for end in c.connectors}
+    known = _driver_inputs(str(connector.name) for connector in driver.connectors)
+    pins = {_plain_name(str(end.name)): c.pin for c in connections if c.pin is not None for end in c.connectors}
     if known is None:
         return []
     every = (_channel(driver, known, channel, pins) for channel in known.channels)
@@ -95,7 +102,7 @@ def _pin(pins: Pins, names: Wildcards) -> platform.Pin | None:
 
 
 def _connectors(driver: hardware.Component, names: Wildcards) -> list[hardware.Connector]:
-    return [connector for connector in driver.connectors if plain_name(str(connector.name)) in names]
+    return [connector for connector in driver.connectors if _plain_name(str(connector.name)) in names]
 
 
 def _name(driver: hardware.Component, names: Wildcards) -> str:
@@ -114,3 +121,76 @@ def _asleep(driver: hardware.Component, known: DriverInputs, pins: Pins) -> str 
     if not known.sleeps or _pin(pins, known.awake) is not None:
         return None
     return next((str(c.name) for c in _connectors(driver, known.awake) if c.net is None), None)
+
+
+class DriverChannel(Struct, frozen=True):
+    """The inputs of one motor: the names of the connectors for PWM and for the two directions."""
+
+    pwm: Wildcards
+    first: Wildcards
+    second: Wildcards
+    needs_pwm: bool
+
+
+class DriverInputs(Struct, frozen=True):
+    """The inputs of one kind of motor driver.
+
+    Attributes:
+        channels: one for each motor.
+        jumper: whether the PWM input may be held high on the part itself.
+        awake: names of the inputs that are high while the driver works.
+        sleeps: whether it sleeps while such an input is connected to nothing.
+        only: a part of this kind has a connector with one of these names; empty if any part with these channels is of this kind.
+    """
+
+    channels: tuple[DriverChannel, ...]
+    jumper: bool
+    awake: Wildcards
+    sleeps: bool
+    only: Wildcards
+
+
+def _driver_inputs(connectors: Iterable[str]) -> DriverInputs | None:
+    """The inputs of a motor driver with connectors of these names; None if it is of no known kind.
+
+    Raises:
+        PlatformDataError: the table is damaged.
+    """
+    path = resources.find("platform_repo", _FILE)
+    words = {_plain_name(name) for name in connectors}
+    return next((known for known in _known(path, path.stat().st_mtime_ns) if _is_of(known, words)), None)
+
+
+def _plain_name(connector: str) -> str:
+    """The name of a connector as the table writes it: in lower case, without blanks, underscores and hyphens."""
+    return _BLANKS.sub("", connector.lower())
+
+
+def _is_of(known: DriverInputs, words: set[str]) -> bool:
+    marked = known.only == _ANY or any(word in known.only for word in words)
+    return marked and any(any(w in c.first for w in words) or any(w in c.second for w in words) for c in known.channels)
+
+
+_ANY = Wildcards.of(())
+
+
+@lru_cache(maxsize=2)
+def _known(path: Path, _: int) -> tuple[DriverInputs, ...]:
+    return tuple(
+        DriverInputs(
+            tuple(
+                DriverChannel(
+                    Wildcards.of(channel.texts("pwm", ())),
+                    Wildcards.of(channel.texts("first")),
+                    Wildcards.of(channel.texts("second")),
+                    bool(channel.texts("pwm", ())),
+                )
+                for channel in driver.tables("channels")
+            ),
+            driver.flag("jumper", False),
+            Wildcards.of(driver.texts("awake", ())),
+            driver.flag("sleeps", False),
+            Wildcards.of(driver.texts("only", ())),
+        )
+        for driver in DataTable(path, read_data(path)).tables("driver")
+    )
