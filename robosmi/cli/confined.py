@@ -8,7 +8,9 @@ of DATA, where what is trusted would be, it may only read. Compilers and origina
 A filter of system calls (seccomp) of the Linux kernel denies the sockets and keys. Landlock does not know sockets in the file
 system, such as those of containers' and sessions' services, UDP, and what System V shares between processes. `io_uring` can
 make sockets, too. https://docs.kernel.org/userspace-api/seccomp_filter.html. The numbers are the kernel's (linux/audit.h, the
-tables of calls). """
+tables of calls).
+"""
+
 from __future__ import annotations
 
 import ctypes
@@ -97,10 +99,6 @@ def main(arguments: list[str]) -> int:
     return supervised(work)
 
 
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
-
-
 def can_deny_sockets() -> bool:
     """Whether this system has such filters and its calls are known here."""
     return sys.platform.startswith("linux") and os.uname().machine in _NATIVE
@@ -134,3 +132,7 @@ def _steps() -> list[bytes]:
 
 def _step(code: int, value: int, yes: int = 0, no: int = 0) -> bytes:
     return struct.pack("=HBBI", code, yes, no, value)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -6,7 +6,9 @@ written without any model (contexts refer to classes or names) and run on any nu
 `Evaluation` is one run over models. The order is that of Epsilon's engine: contexts in order of declaration, their elements in
 containment order, and for each element the constraints in order. The result of a check is cached, and used once some
 `satisfies` has requested the constraint. Findings are a set of (constraint, element, message). Source: Kolovos et al., The
-Epsilon Book, chapter 5, and measurements (docs/reference/evl.md). """
+Epsilon Book, chapter 5, and measurements (docs/reference/evl.md).
+"""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence

@@ -65,8 +65,7 @@ from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice, 
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
 from robosmi.transformations.m2m.circuits.connector_mapping import rename_clashes
-from robosmi.transformations.m2m.circuits.motor_channels import drawn_kinds
-from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
+from robosmi.transformations.m2m.circuits.driven_devices import drawn_kinds, set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, judge_program, put_together
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks

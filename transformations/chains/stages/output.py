@@ -41,9 +41,8 @@ from robosmi.transformations.chains.stages.completion import Completed, completi
 from robosmi.transformations.chains.stages.edited_plan import STORED, digest_without_choices, only_choices_differ
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
 from robosmi.transformations.chains.stages.program import sketch_name_of
-from robosmi.transformations.m2t.first_screen import Counted, counted
+from robosmi.transformations.m2t.first_screen import Counted, counted, terminal_lines
 from robosmi.transformations.m2t.program_files import BENCH, REPORT, report_file
-from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plans.plan import as_findings, move_json, open_choices, plan_json
 from robosmi.transformations.queries.reports.work import work_json
 from robosmi.transformations.verification.judgement.stored_verdict import SEVERITIES

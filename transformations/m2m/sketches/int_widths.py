@@ -9,16 +9,23 @@ Where char has no sign on the target, variables and casts of type char that take
 Formats of printf and scanf print and read what they do on a board with a narrower int. `%u` of a negative int, and `%d` of an
 unsigned one, show other digits where int is wider, so the argument is cut. `%d` of scanf writes as many bytes as an int has, so
 a variable of 16 bits is read by `%hd`. A conversion of another width than its argument, and one of a float, which avr-libc
-prints as `?`, are places. Source: ISO/IEC 9899:1999, 7.19.6; avr-libc, vfprintf(). """
+prints as `?`, are places. Source: ISO/IEC 9899:1999, 7.19.6; avr-libc, vfprintf().
+
+The least and the greatest value that functions and methods of a platform return are data (`values.toml`).
+"""
+
 from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping
+from functools import cache
 
+from robosmi import resources
+from robosmi.base.data_tables import DataTable
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
+from robosmi.project import read_data
 from robosmi.query import all_contents
-from robosmi.transformations.knowledge.platforms.returned_values import macros_of_bits, macros_of_operands, returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.argument_values import stored_values, taken_values
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
@@ -63,7 +70,7 @@ def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
         return None
     own, other = (Machine(each.int_bits, 32, each.int_bits, each.char_signed) for each in (here, there))
     platform = sketch.views[0].api.name
-    results, of_operands, of_bits = returned_values(platform), macros_of_operands(platform), macros_of_bits(platform)
+    results, of_operands, of_bits = _returned_values(platform), _macros_of_operands(platform), _macros_of_bits(platform)
     return WrappedValues(sketch.views, own, other, results, of_operands, of_bits)
 
 
@@ -283,7 +290,7 @@ def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     done = set[tuple[str, int]]()
     cast = set[int]()
     view_of = {id(view.unit): view for view in sketch.views}
-    for holder in negative_chars(sketch.views, returned_values(sketch.views[0].api.name)):
+    for holder in negative_chars(sketch.views, _returned_values(sketch.views[0].api.name)):
         group = declarations(sketch.views, holder)
         if not all(is_free(each) for each in group):
             yield sketch.place(KEPT_CHAR, holder, str(holder.name))
@@ -422,3 +429,55 @@ def _of_call(
 
 def _pointed(argument: ccode.Expression) -> ccode.Expression | None:
     return argument.operand if isinstance(argument, ccode.Unary) and argument.operator == "&" else None
+
+
+@cache
+def _returned_values(platform: str) -> Mapping[str, tuple[int, int]]:
+    """Name of a function or method -> the least and the greatest value; empty for a platform without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
+        return {}
+    path = resources.find("platform_repo", f"{platform}/{_FILE}")
+    table = DataTable(path, read_data(path))
+    found: dict[str, tuple[int, int]] = {}
+    for kind in ("functions", "methods"):
+        entries = table.table(kind, needed=False)
+        for name in entries.values:
+            ends = entries.numbers(name)
+            if len(ends) != 2 or ends[0] > ends[1]:
+                raise entries.error(name, "must be the least and the greatest value")
+            found[name] = ends[0], ends[1]
+    return found
+
+
+@cache
+def _macros_of_operands(platform: str) -> frozenset[str]:
+    """Macros of a platform whose result has the type that their arguments have together; empty for a platform without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    return _macros(platform, "macros_of_operands")
+
+
+@cache
+def _macros_of_bits(platform: str) -> frozenset[str]:
+    """Macros of a platform that write a bit of their first argument, whose number is the second; empty without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    return _macros(platform, "macros_of_bits")
+
+
+def _macros(platform: str, key: str) -> frozenset[str]:
+    if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
+        return frozenset()
+    path = resources.find("platform_repo", f"{platform}/{_FILE}")
+    return frozenset(DataTable(path, read_data(path)).texts(key, ()))
+
+
+_FILE = "values.toml"

@@ -10,7 +10,9 @@ pins of gates that are not drawn are on the net of their name, as in EAGLE.
 
 EAGLE copies into each schematic what it uses of its libraries: device sets with their gates, symbols and pins. A pin is
 identified by gate and name; if several gates have a pin of one name, the gate is part of the connector's identity
-(`connectors_of`). """
+(`connectors_of`).
+"""
+
 from __future__ import annotations
 
 import hashlib

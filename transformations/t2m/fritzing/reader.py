@@ -1,7 +1,7 @@
 """Reads a Fritzing sketch: a file in, a `hardware.Circuit` and findings out.
 
-The order of work: bytes (`container`), records (`document`), definitions in the file (`part_file`) and parts that Fritzing
-makes up (`generated_parts`), nets of the view that is used (`ViewWiring`). What is known of parts, roles, pins, rails and the
+The order of work: bytes (`container`), records (`document`), definitions in the file and parts that Fritzing makes up
+(`part_file`), nets of the view that is used (`ViewWiring`). What is known of parts, roles, pins, rails and the
 model itself are made as for every tool (`t2m/drawing`). Components are in the order of their model index and connectors in
 their part's order, so that the same drawing gives the same model. Of parts that conduct by bus only, such as breadboards, only
 the connectors that the drawing uses become elements of the model.
@@ -12,7 +12,9 @@ that would unite their errors.
 
 A net is what is one electrical node. A node is a connector with all that its part joins to it (a bus); a wire is one node from
 end to end. Stripboards, net labels and power symbols join connectors as their properties say. `t2m/drawing` decides what a net
-is for (rails). """
+is for (rails).
+"""
+
 from __future__ import annotations
 
 import re
@@ -30,8 +32,7 @@ from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node, natu
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
 from robosmi.transformations.t2m.fritzing.container import Container, read_container
 from robosmi.transformations.t2m.fritzing.document import VIEWS, FritzingSketch, Instance, parse_sketch
-from robosmi.transformations.t2m.fritzing.generated_parts import TOOL, generated_part
-from robosmi.transformations.t2m.fritzing.part_file import parse_part
+from robosmi.transformations.t2m.fritzing.part_file import TOOL, generated_part, parse_part
 
 _DERIVED = 8 | 16
 """Wire flags of old jumpers and of ratsnest lines: hints that Fritzing derives and that do not conduct (viewgeometry.h)."""

@@ -1,7 +1,9 @@
 """An EESchema `.sch` (KiCad 5 and before) as a `Sheet`: a text of lines, a fixed number for each kind of entry.
 
 The file contains no symbols: these are in libraries beside it (`-cache.lib`, `.lib`; `library_of`). Coordinates are in
-thousandths of an inch. """
+thousandths of an inch.
+"""
+
 from __future__ import annotations
 
 import re
