@@ -27,7 +27,7 @@ from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, stored_events
 from robosmi.verify.original import Original, OriginalRun, Variation
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
+from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinChange, PinTrace
 from robosmi.verify.toolchains.processor_time import used_s
 from robosmi.verify.traces.activity import (
     IDLE,
@@ -145,6 +145,8 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         ports: the ports.
         target: whether it is the target's trace.
     """
+    if not target:
+        trace = _at_rest(trace, ports)
     found = {port.title: _at_port(trace, port, target) for port in ports if port.watched}
     for port in ports:
         known = device_facts().get(port.device, {})
@@ -170,6 +172,12 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     found[CONSOLE_CHANNEL] = [console_lines(trace, measures)]
     found[EEPROM_CHANNEL] = [stored_events(trace)]
     return found
+
+
+def _at_rest(trace: PinTrace, ports: Sequence[BoundPort]) -> PinTrace:
+    """The trace of the source with the pins high from its start that float there and are held high on the target."""
+    held = tuple(PinChange(0.0, pin, 1) for pin in dict.fromkeys(port.source for port in ports if port.rests_high))
+    return replace(trace, changes=(*held, *trace.changes)) if held else trace
 
 
 def _standing(trace: PinTrace, pins: Sequence[str]) -> list[ActivityEvent]:

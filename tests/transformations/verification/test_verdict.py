@@ -122,6 +122,36 @@ def test_the_console_is_not_called_unconnected() -> None:
     assert "not connected" not in said + lines
 
 
+@pytest.mark.parametrize(
+    ("source", "target", "verdict", "status"),
+    [
+        ((), (), "no-difference-found", "not-exercised"),
+        ((1,), (), "no-difference-found", "same"),
+        ((1, 0), (0,), "no-difference-found", "same"),
+        ((1, 0), (), "different", "different"),
+        ((), (0,), "different", "different"),
+    ],
+)
+def test_a_relay_that_is_held_at_rest_is_not_switched(
+    source: tuple[int, ...], target: tuple[int, ...], verdict: str, status: str
+) -> None:
+    """A regression: the module of a pump was called switched on where the original had not driven it yet."""
+    port = BoundPort("P7", "P7", "D7", rests_high=True)
+
+    def run(pin: str, levels: tuple[int, ...], first: tuple[PinChange, ...] = ()) -> PinTrace:
+        late = 500_000.0 - 200_000.0 * len(levels)
+        changes = (PinChange(late + 200_000.0 * (number + 1), pin, level) for number, level in enumerate(levels))
+        return replace(printed(), changes=(*first, *changes))
+
+    own = run("P7", source)
+    nominal = OriginalRun(own, "running", "", b"")
+    events = channel_events(own, [port], target=False)
+    runs = SourceRuns(nominal, (nominal,), {name: [[each] * 2 for each in sights] for name, sights in events.items()})
+    there = run("D7", target, (PinChange(100.0, "D7", 1),))
+    told = verdict_of(SCENARIO, runs, there, [port], one_thread=True, at_rest={"D7": 1})
+    assert (told.verdict, next(c.status for c in told.channels if c.channel == "P7")) == (verdict, status)
+
+
 def test_a_sensor_that_the_program_asks_is_no_output() -> None:
     ports = [BoundPort("P8", "P8", "D7", device="ranger", pin="signal"), BoundPort("P26", "P26", "D13")]
     channels = (ChannelComparison("P26", "same", events=2), ChannelComparison(f"P8{PAUSES}", "same", events=1))

@@ -78,6 +78,7 @@ class BoundPort(Struct, frozen=True):
         recounts: how far the last goal has to be from where the device stands for the next goal to be counted from there; 0 if it
             is always counted from the last one.
         most: greatest value that the board's pin can show of a signal that is measured as it is; 0 for no bound.
+        rests_high: whether the target holds its pin high from its start, since the component there does nothing at that level.
     """
 
     name: str
@@ -107,6 +108,7 @@ class BoundPort(Struct, frozen=True):
     recounts: float = 0.0
     near: tuple[float, float] | None = None
     most: float = 0.0
+    rests_high: bool = False
 
     @property
     def watched(self) -> bool:
@@ -155,6 +157,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
             places.setdefault(use.pin, set()).add((Path(str(unit_of(use.call).path)).name, use.line))
     table = device_table(str(plan.source.name))
+    resting = resting_pins(plan)
     averaged = set(table.texts("averaged", ()))
     pulses, beside = (set(table.texts(name, ())) for name in ("pulses", "pulses_beside"))
     rules, lines = table.tables("device", needed=False), set(table.table("lines").texts("functions", ()))
@@ -184,6 +187,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             split=_split(plan, binding), motor=_motor(plan, binding), given_up=not binding.open,
             console=binding.choice == CONSOLE, near=near,
             called_at=frozenset(places.get(number, ())) if used else frozenset(),
+            rests_high=pin is not None and resting.get(str(pin.label)) == 1,
             most=plan.board.volts * 1000 if device == VOLTAGES and plan.board is not None and not retains_platform(plan) else 0.0,
         )  # fmt: skip
         first = found.setdefault(source, port)

@@ -85,6 +85,8 @@ def verdict_of(
     found = tuple(compared(name, seen, target[name], horizon_ms, runs.loop) for name, seen in runs.channels.items())
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
     found = tuple(each for each in found if each.channel != EEPROM_CHANNEL or each.status in (SAME, DIFFERENT))
+    unused = {port.title for port in ports if port.rests_high and not nominal.trace.levels(port.source)}
+    found = tuple(replace(c, status=NOT_EXERCISED) if c.status == SAME and c.channel in unused else c for c in found)
     found += rests_compared(runs.rests, trace, ports)
     pauses = pauses_compared(runs.pauses, nominal.trace, trace, ports, scenario, horizon_ms)
     if any(each.status != NOT_EXERCISED for each in found):
