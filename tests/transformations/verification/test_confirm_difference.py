@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 from msgspec.structs import replace
@@ -18,6 +20,8 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinChange, PinTrace
 from tests.transformations.verification.test_verdict import SCENARIO, original, printed
 
+SILENT = cast("Original", SimpleNamespace(store_bytes=0))
+"""An original whose runs are there already."""
 SOURCE = ((100.0, "far"), (300.0, "near"), (500.0, "far"))
 
 
@@ -75,13 +79,13 @@ def test_a_difference_that_is_confirmed_is_not_looked_at_again(origin: str, look
     wrong = printed((100.0, "far"), (300.0, "far"), (500.0, "far"))
     traces = [wrong, printed(*SOURCE), wrong, wrong]
     cases = [(Scenario(f"s{number}", 1000.0, origin=origin), original(printed(*SOURCE))) for number in range(len(traces))]
-    found = compare_scenarios(Silent(), [], cases, Shown(traces), True, {})
+    found = compare_scenarios(SILENT, [], cases, Shown(traces), True, {})
     assert [each.told.verdict == "different" for each in found.kept] == [True, False, True, True]
     assert len(looked) == looks
     looked.clear()
     other = [replace(cases[0][0], name="console"), replace(cases[0][0], name="a pin")]
     compare_scenarios(
-        Silent(), [], [(each, original(printed(*SOURCE))) for each in other], Shown([printed(*SOURCE[:2]), lamp]), True, {}
+        SILENT, [], [(each, original(printed(*SOURCE))) for each in other], Shown([printed(*SOURCE[:2]), lamp]), True, {}
     )
     assert looked == ["console", "a pin"]
 
@@ -98,12 +102,6 @@ def test_a_pin_without_a_port_is_looked_at_again_like_a_channel() -> None:
 
     found = looked_at_again(told, SCENARIO, trace, [], True, runs, lambda _, before: before, apart=apart)
     assert (told.verdict, found.verdict, asked) == ("different", "different", [200.0])
-
-
-class Silent(Original):
-    """An original whose runs are there already."""
-
-    store_bytes = 0
 
 
 class Shown(TargetSide):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import cast
 
 import pytest
 
@@ -28,7 +29,7 @@ int main() {
 PORTS = [BoundPort("P3", "P3", "P3", device="levels", pin="pin"), BoundPort("P5", "P5", "P5")]
 
 
-class Unrun(Original):
+class Unrun:
     """An original that is not to run."""
 
     def calls(self, devices: object, begin_us: float, end_us: float, limit_s: float = 60.0) -> list[LibraryCall]:
@@ -80,9 +81,9 @@ def test_faults_stay_differences(old: str, new: str) -> None:
 
 def test_a_difference_long_before_the_first_change_hangs_on_none() -> None:
     runs = SourceRuns(OriginalRun(PinTrace("", "running", 3e6, (), (), (), ()), "running", "", b""), (), {})
-    assert not hangs_on_a_pass(Unrun(), PORTS, scenario(1000.0), runs, 60.0, lambda _: 750.0)
+    assert not hangs_on_a_pass(cast("Original", Unrun()), PORTS, scenario(1000.0), runs, 60.0, lambda _: 750.0)
     with pytest.raises(AssertionError, match="run"):
-        hangs_on_a_pass(Unrun(), PORTS, scenario(1000.0), runs, 60.0, lambda _: 850.0)
+        hangs_on_a_pass(cast("Original", Unrun()), PORTS, scenario(1000.0), runs, 60.0, lambda _: 850.0)
 
 
 def test_a_change_that_is_seen_much_later_is_a_difference() -> None:
