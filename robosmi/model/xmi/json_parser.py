@@ -292,7 +292,7 @@ def located_yaml(data: bytes) -> LocatedJson:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise YamlError("the text is no UTF-8", data.count(b"\n", 0, error.start) + 1) from None
-    builder = _Builder()
+    builder = _YamlBuilder()
     try:
         for event in yaml.parse(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
             builder.take(event)
@@ -309,7 +309,7 @@ def located_yaml(data: bytes) -> LocatedJson:
     return builder.value()
 
 
-class _Builder:
+class _YamlBuilder:
     """Builds the value of the events of one text, with a stack of its own."""
 
     def __init__(self) -> None:

@@ -38,7 +38,7 @@ WORD = 32
 _ALL = (1 << WORD) - 1
 _TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
 
-_T = TypeVar("T", int, frozenset[int])
+_T = TypeVar("_T", int, frozenset[int])
 """A set: the bits of a number, or numbers."""
 _DEEPEST = 40
 """Equations that may wait for each other, within Python's own stack; what lies deeper is unbounded."""

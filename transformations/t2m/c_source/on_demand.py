@@ -59,9 +59,9 @@ LONGEST = 100
 IN_EXTERNALS = (ccode.Function, ccode.ExternalSymbol, ccode.Parameter, ccode.TypeUse)
 """The classes of elements in and below `Program.externals`; functions from outside have no bodies."""
 
-_P = ParamSpec("P")
-_R = TypeVar("R", bound=Element)
-_T = TypeVar("T", bound=Element)
+_P = ParamSpec("_P")
+_R = TypeVar("_R", bound=Element)
+_T = TypeVar("_T", bound=Element)
 _Linked: TypeAlias = "Element | Sequence[Element] | None"
 """The value of a cross reference."""
 
