@@ -27,10 +27,9 @@ JARS = [Path(f"/usr/share/java/{name}.jar") for name in ("eclipse-emf-common", "
 
 
 @pytest.fixture
-def output(case_study: Path, tmp_path: Path) -> Path:
+def output(migrated_study: Path) -> Path:
     """The output folder of each case study."""
-    robosmi.migrate([case_study], tmp_path / "out")
-    return tmp_path / "out"
+    return migrated_study
 
 
 @pytest.fixture
