@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.resources import OWN
+from robosmi.base.user_folders import OWN
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.libraries.library_takes import library_takes
 

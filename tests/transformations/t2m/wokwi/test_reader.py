@@ -330,7 +330,8 @@ def test_all_symbols_of_a_supply_are_one_net(tmp_path: Path) -> None:
         ("uno:13", "led1:A"),
     ]
     circuit, _ = read_circuit(diagram(tmp_path, parts, [[*pair, "", []] for pair in pairs]))
-    nets = [{str(c.eContainer().title) for c in net.connectors} - {"uno"} for net in circuit.nets if net.rail]
+    rails: list[Any] = [net for net in circuit.nets if net.rail]
+    nets = [{str(c.eContainer().title) for c in net.connectors} - {"uno"} for net in rails]
     assert sorted(map(sorted, nets)) == [["b", "vcc1", "vcc2"], ["gnd1", "gnd2", "led1"]]
 
 
