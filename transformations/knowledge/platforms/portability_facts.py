@@ -131,7 +131,7 @@ class PortabilityFacts(Struct, frozen=True):
         return found.replace("#", numbers[0]) if numbers else found
 
     def move_to(self, chip: str, architecture: str) -> MoveFacts:
-        """What is different on a board from those that the platform began with: its microcontroller's facts, else its architecture's."""
+        """What differs from the boards that the platform began with: the microcontroller's facts, else its architecture's."""
         return self.moves.get(chip) or self.moves.get(architecture) or MoveFacts()
 
     def move_between(self, source: tuple[str, str], target: tuple[str, str]) -> MoveFacts:
