@@ -49,6 +49,12 @@ def test_nothing_changes_for_a_board_with_the_same_processor(case: str, tmp_path
     assert (tmp_path / "out" / case / f"{case}.ino").read_text() == sketch.read_text()
 
 
+def test_the_second_core_of_a_sketch_runs_on_another_board_that_has_one(tmp_path: Path) -> None:
+    sketch = CASES / "own_names" / "own_names" / "own_names.ino"
+    robosmi.migrate([sketch], tmp_path / "out", target="picow", source_board="pico")
+    assert (tmp_path / "out" / "own_names" / "own_names.ino").read_text() == sketch.read_text()
+
+
 @pytest.mark.parametrize("constants", [40, 1500])
 def test_constants_of_constants_are_followed_once_and_not_without_end(constants: int, tmp_path: Path) -> None:
     sums = "".join(f"const float a{n} = a{n - 1} {'+ a' + str(n - 1) if n < 41 else '* 1.0'};\n" for n in range(1, constants + 1))
