@@ -225,13 +225,13 @@ class Builder:
         if self.document.ids.setdefault(text, child) is not child:
             self.document.shared_ids.setdefault(text, self.at())
 
-    def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> None:
-        """Set a value, or add one to many; None is xsi:nil."""
+    def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> bool:
+        """Set a value, or add one to many; None is xsi:nil. Gives whether its type takes it."""
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
         except ValueError as error:
             self.illegal(self.at(), f"{owner}.{entry.feature.name}", str(error))
-            return
+            return False
         if entry.kind == VALUE:
             if entry.key in slots:
                 self.here(f"{owner}.{entry.feature.name} takes one value, not two")
@@ -239,12 +239,13 @@ class Builder:
             slots[entry.key] = value if lies_bare else new_slot(AttributeValue, element, entry.feature, value)
             if entry.is_id and text:
                 self.identify(text, element)
-            return
+            return True
         many = slots.get(entry.key)
         if many is None:
             many = slots[entry.key] = collection(element, entry.feature)
         if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
+        return True
 
     def add_pair(self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, attributes: dict[str, str]) -> None:
         """Add a pair of texts to the details of an annotation."""

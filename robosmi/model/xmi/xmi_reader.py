@@ -307,12 +307,11 @@ class _Reader:
             more.append(line)
 
         more: list[int] = []
-        apart = None if self.strict else foreign
+        apart, wrong = (None, None) if self.strict else (foreign, illegal)
         if is_json(path) or is_yaml(path):
-            document = parse_json(path, data, self.plans, self.package, problem, apart)
+            document = parse_json(path, data, self.plans, self.package, problem, apart, wrong)
         else:
             locate = partial(self.locate, path)
-            wrong = None if self.strict else illegal
             document = parse(path, data, self.plans, self.package, locate, problem, apart, wrong)
         document.has_more = bool(more)
         for identity, line in document.shared_ids.items():
