@@ -85,18 +85,20 @@ class Oddities:
     def __init__(self) -> None:
         self._kinds: dict[tuple[str, tuple[str, ...]], list[Any]] = {}
 
-    def add(self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str) -> None:
+    def add(
+        self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str, severity: Severity = Severity.warning
+    ) -> None:
         """Note one."""
-        known = self._kinds.setdefault((rule, kind), [0, place, text, fix])
+        known = self._kinds.setdefault((rule, kind), [0, place, text, fix, severity])
         known[0] += 1
 
     def findings(self) -> list[Finding]:
         """One of each kind, in the order in which they were met."""
         return [
             Finding(
-                rule, Severity.warning, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix
+                rule, severity, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix
             )
-            for (rule, _), (number, place, text, fix) in self._kinds.items()
+            for (rule, _), (number, place, text, fix, severity) in self._kinds.items()
         ]
 
 
@@ -293,10 +295,11 @@ class _Reader:
             self.problems.append((Location(place, line), text))
 
         def foreign(line: int, text: str, uri: str) -> None:
-            fix = (
-                "give the metamodel of that namespace, if there is one" if uri else "none is needed: it stays as text in the file"
-            )
-            self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
+            where, kind = Location(place, line), (place, uri or text)
+            if uri:
+                self.odd.add(FOREIGN, kind, where, text, "give the metamodel of that namespace, if there is one")
+            else:
+                self.odd.add(FOREIGN, kind, where, text, "none is needed: it stays as text in the file", Severity.info)
             more.append(line)
 
         def illegal(line: int, feature: str, text: str) -> None:
