@@ -342,7 +342,7 @@ class MetamodelReader:
         if where is None:
             self.problem(
                 "a file referred to is missing", place, f"'{text}' leads to a file that is not there",
-                "put the .ecore file beside this one, or give it as a further file",
+                "put the .ecore file beside this one, give it as a further file, or leave this file out",
             )  # fmt: skip
             return None
         if isinstance(where, Package):
