@@ -154,7 +154,9 @@ def test_simple_functions_and_commands_take_json(tmp_path: Path) -> None:
 # --- faults
 
 
-@pytest.mark.parametrize("path", [FOLDER / "illegal.json", FOLDER.parent / "yaml_models" / "illegal.yaml"], ids=lambda p: p.suffix)
+@pytest.mark.parametrize(
+    "path", [FOLDER / "illegal.json", FOLDER.parent / "yaml_models" / "illegal.yaml"], ids=lambda p: p.suffix
+)
 def test_a_value_that_its_type_does_not_take_is_a_finding_and_stays_in_the_file(path: Path, tmp_path: Path) -> None:
     """As in XMI; the lines are those of the keys."""
     copy = Path(shutil.copy(path, tmp_path))

@@ -153,9 +153,8 @@ class _Parser(Builder):
             self.line = given.lines[name]
             entry = plan.entries.get(name)
             if entry is None or "}" in name:
-                if name not in (CLASS, ID, UUID):
-                    known = [each for each in plan.entries if "}" not in each]
-                    self.here(f"{plan.name} has no feature '{name}'{did_you_mean(name, known)}")
+                if name not in (CLASS, ID, UUID) and self.no_feature(plan.eclass, name, plan.entries):
+                    element.__dict__.setdefault(ILLEGAL, {})[name] = ("", value, [])
             elif entry.kind == REFUSED:
                 self.foreign(self.line, entry.message, "")
                 element.__dict__.setdefault(ILLEGAL, {})[name] = (entry.key, value, [])
@@ -182,7 +181,8 @@ class _Parser(Builder):
             return
         if entry.kind not in (CHILD, CHILDREN, REFERENCE):
             values = value if isinstance(value, list) else [value]
-            if not all([self.plain_value(element, slots, plan, entry, one) for one in values]):
+            taken = [self.plain_value(element, slots, plan, entry, one) for one in values]
+            if not all(taken):
                 legal = list(slots.get(entry.key, ())) if entry.many else []
                 slots.setdefault(ILLEGAL, {})[entry.feature.name] = (entry.key, value, legal)
             return

@@ -11,7 +11,7 @@ parser it knows only the current line.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
@@ -41,6 +41,7 @@ from robosmi.model.elements.compact_slots import (
 from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.ecore import DynamicEObject
 from robosmi.model.elements.features import class_in, class_names, is_of_ecore
+from robosmi.model.elements.proxies import proxy_uri
 from robosmi.model.elements.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of, value_in
 from robosmi.model.elements.xmi_plan import (
     CHILD,
@@ -62,7 +63,7 @@ from robosmi.model.elements.xmi_plan import (
 from robosmi.model.xmi.xml_characters import may_contain_escapes, restored, restoring
 
 if TYPE_CHECKING:
-    from robosmi.model.elements.ecore import Slots
+    from robosmi.model.elements.ecore import EClass, Slots
 
 
 class Builder:
@@ -153,7 +154,9 @@ class Builder:
 
     def usable(self, plan: ClassPlan) -> bool:
         """Whether elements of the class can be made; if not the problem is noted and the element skipped."""
-        if plan.abstract:
+        if plan.abstract and self.tells_foreign and (missing := proxy_uri(plan.eclass)) is not None:
+            self.foreign(self.at(), f"an element is of '{missing}', which is not there", missing)
+        elif plan.abstract:
             self.here(f"{plan.name} is abstract: the element needs an xsi:type")
         elif plan.refused and is_of_ecore(plan.eclass):  # in annotations of other models, as a profile's definition is
             self.foreign(self.expat.CurrentLineNumber, plan.refused, "")
@@ -201,9 +204,18 @@ class Builder:
         if namespace and self.package_of(namespace) is None:
             self.foreign(self.expat.CurrentLineNumber, f"the attribute '{local}' is of the namespace '{namespace}'", namespace)
             return None
-        near = did_you_mean(local, [n for n in entries if "}" not in n])
-        self.here(f"{plan.name} has no feature '{local}'{near}")
+        self.no_feature(plan.eclass, local, entries)
         return None
+
+    def no_feature(self, eclass: EClass, name: str, entries: Collection[str]) -> bool:
+        """Note a name that is no feature of a class; gives whether it may be one of a supertype whose file is not there."""
+        missing = next((uri for one in eclass.eAllSuperTypes() if (uri := proxy_uri(one)) is not None), None)
+        if missing is not None and self.tells_foreign:
+            said = f"'{name}' of a {eclass.name} may be a feature of '{missing}', which is not there"
+            self.foreign(self.at(), said, missing)
+            return True
+        self.here(f"{eclass.name} has no feature '{name}'{did_you_mean(name, [each for each in entries if '}' not in each])}")
+        return False
 
     def rare_attribute(
         self, child: DynamicEObject, slots: Slots, plan: ClassPlan, entry: FeatureEntry, name: str, text: str
@@ -454,7 +466,7 @@ class _Parser(Builder):
             if namespace and not XMI_NAMESPACES.fullmatch(namespace) and self.package_of(namespace) is None:
                 self.foreign(self.expat.CurrentLineNumber, f"'{local}' is of the namespace '{namespace}'", namespace)
             else:
-                self.here(f"{owner} has no feature '{local}'{did_you_mean(local, [n for n in entries if '}' not in n])}")
+                self.no_feature(type(element).eClass, local, entries)
             self.skip()
         elif entry.kind in (CHILD, CHILDREN):
             plan = self.child_plan(entry, attributes)

@@ -95,9 +95,7 @@ class Oddities:
     def findings(self) -> list[Finding]:
         """One of each kind, in the order in which they were met."""
         return [
-            Finding(
-                rule, severity, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix
-            )
+            Finding(rule, severity, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix)
             for (rule, _), (number, place, text, fix, severity) in self._kinds.items()
         ]
 
@@ -357,7 +355,7 @@ class _Reader:
         from robosmi.model.ecore.metamodel import Metamodel
 
         try:
-            loaded = Metamodel(make_packages(load_metamodels([path], classifiers=True)))
+            loaded = Metamodel(make_packages(load_metamodels([path], classifiers=True, stand_ins=True)))
         except RobosmiError as error:
             self._refused.add(path)
             self.give_up(error.location or referrer, error.message, error.fix or "")
