@@ -59,11 +59,11 @@ def test_what_may_belong_to_a_missing_supertype_stays_in_the_file(name: str, tmp
 
 def test_a_neighbour_elsewhere_in_the_given_folder_is_found_by_its_name(tmp_path: Path) -> None:
     text = (FOLDER / "m.ecore").read_text()
-    for place, name in (("one/model", "m"), ("two/model", "base"), ("old/model", "base")):
+    for place, name in (("y/one/model", "m"), ("x/two/model", "base"), ("x/old/model", "base")):
         (tmp_path / place).mkdir(parents=True)
         new = (FOLDER / "elsewhere" / "base.ecore").read_text().replace("example.org/base", f"example.org/{place}")
         new = text.replace("gone/base.ecore", "platform:/plugin/two/model/base.ecore") if name == "m" else new
         (tmp_path / place / f"{name}.ecore").write_text(new)
     mm = Metamodel.load(tmp_path)
     assert mm.findings == []
-    assert [each.ePackage.nsURI for each in mm.M.eClass.eSuperTypes] == ["http://example.org/two/model"]
+    assert [each.ePackage.nsURI for each in mm.M.eClass.eSuperTypes] == ["http://example.org/x/two/model"]
