@@ -176,7 +176,7 @@ class _Parser(Builder):
                 if name not in (CLASS, ID, UUID) and self.no_feature(plan.eclass, name, plan.entries):
                     element.__dict__.setdefault(ILLEGAL, {})[name] = ("", value, [])
             elif entry.kind == REFUSED:
-                self.foreign(self.line, entry.message, "")
+                self.apart(entry.message)
                 element.__dict__.setdefault(ILLEGAL, {})[name] = (entry.key, value, [])
             elif entry.kind != IGNORED:
                 self.feature(element, plan, entry, value, inside)
@@ -254,11 +254,7 @@ class _Parser(Builder):
                 self.document.types[link] = kind.cls
             self.document.references.append((element, entry, link, self.line, True))
         else:
-            held = element.__dict__.get(entry.key)
-            place = len(held) if held is not None and entry.many else 0
-            place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
-            self.document.types[link] = kind.cls if kind is not None else entry.declared.python_class
-            self.document.parts.append((element, entry, link, self.line, place))
+            self.external_part(element, entry, link, kind.cls if kind is not None else entry.declared.python_class)
 
     def plan_in(self, entry: FeatureEntry, given: LocatedObject) -> ClassPlan | None:
         """The plan of a contained element; None with the problem noted."""

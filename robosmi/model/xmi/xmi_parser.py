@@ -78,13 +78,7 @@ class Builder:
     """
 
     def __init__(
-        self,
-        path: Path,
-        plans: Plans,
-        package_of: PackageOf,
-        problem: Problem,
-        foreign: Foreign | None = None,
-        illegal: Foreign | None = None,
+        self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None, illegal: Foreign | None
     ) -> None:
         self.tells_foreign = foreign is not None
         self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
@@ -131,6 +125,10 @@ class Builder:
         """Note a problem at the current line."""
         self.problem(self.at(), text)
 
+    def apart(self, text: str, namespace: str = "") -> None:
+        """Note what is not in the model, at the current line."""
+        self.foreign(self.at(), text, namespace)
+
     def child_plan(self, entry: FeatureEntry, attributes: dict[str, str]) -> ClassPlan | None:
         """The plan of a contained element: of the type that the file names, else of the declared one."""
         named = attributes.pop(f"{XSI}}}type", None) or attributes.pop(f"{self.xmi}}}type", None)
@@ -155,11 +153,11 @@ class Builder:
     def usable(self, plan: ClassPlan) -> bool:
         """Whether elements of the class can be made; if not the problem is noted and the element skipped."""
         if plan.abstract and self.tells_foreign and (missing := proxy_uri(plan.eclass)) is not None:
-            self.foreign(self.at(), f"an element is of '{missing}', which is not there", missing)
+            self.apart(f"an element is of '{missing}', which is not there", missing)
         elif plan.abstract:
             self.here(f"{plan.name} is abstract: the element needs an xsi:type")
         elif plan.refused and is_of_ecore(plan.eclass):  # in annotations of other models, as a profile's definition is
-            self.foreign(self.expat.CurrentLineNumber, plan.refused, "")
+            self.apart(plan.refused)
         elif plan.refused:
             self.here(plan.refused)
             self.document.unsupported = True
@@ -185,8 +183,9 @@ class Builder:
             uris = self.prefixes.get(prefix)
             package = self.package_of(uris[-1]) if uris else None
             if package is None and uris:
-                said = f"'{qualified}' is no class of a metamodel known here"
-                self.foreign(self.expat.CurrentLineNumber, f"{said}: nobody has the namespace '{uris[-1]}'", uris[-1])
+                self.apart(
+                    f"'{qualified}' is no class of a metamodel known here: nobody has the namespace '{uris[-1]}'", uris[-1]
+                )
                 return None
             near = did_you_mean(name, class_names(package)) if package is not None else ""
             self.here(f"'{qualified}' is no class of a metamodel known here{near}")
@@ -198,11 +197,9 @@ class Builder:
             return text
         namespace, _, local = name.rpartition("}")
         if namespace == XSI or XMI_NAMESPACES.fullmatch(namespace):
-            if local == "idref":
-                return f"#{text}"
-            return None
+            return f"#{text}" if local == "idref" else None
         if namespace and self.package_of(namespace) is None:
-            self.foreign(self.expat.CurrentLineNumber, f"the attribute '{local}' is of the namespace '{namespace}'", namespace)
+            self.apart(f"the attribute '{local}' is of the namespace '{namespace}'", namespace)
             return None
         self.no_feature(plan.eclass, local, entries)
         return None
@@ -211,8 +208,7 @@ class Builder:
         """Note a name that is no feature of a class; gives whether it may be one of a supertype whose file is not there."""
         missing = next((uri for one in eclass.eAllSuperTypes() if (uri := proxy_uri(one)) is not None), None)
         if missing is not None and self.tells_foreign:
-            said = f"'{name}' of a {eclass.name} may be a feature of '{missing}', which is not there"
-            self.foreign(self.at(), said, missing)
+            self.apart(f"'{name}' of a {eclass.name} may be a feature of '{missing}', which is not there", missing)
             return True
         self.here(f"{eclass.name} has no feature '{name}'{did_you_mean(name, [each for each in entries if '}' not in each])}")
         return False
@@ -228,7 +224,7 @@ class Builder:
             for part in text.split():
                 self.add_value(child, slots, plan.name, entry, part)
         elif entry.kind == REFUSED:
-            self.foreign(self.expat.CurrentLineNumber, entry.message, "")
+            self.apart(entry.message)
         elif entry.kind != IGNORED:
             self.here(f"{plan.name}.{name} contains elements: it cannot be an attribute")
 
@@ -278,7 +274,7 @@ class Builder:
         held = element.__dict__.get(entry.key)
         place = len(held) if held is not None and entry.many else 0
         place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
-        self.document.parts.append((element, entry, link, self.expat.CurrentLineNumber, place))
+        self.document.parts.append((element, entry, link, self.at(), place))
 
 
 _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
@@ -454,17 +450,16 @@ class _Parser(Builder):
         """
         if element is None:
             return self.root(tag, attributes)
-        local = tag.rpartition("}")[2]
+        namespace, _, local = tag.rpartition("}")
         entry = entries.get(local)
         owner = type(element).__name__
         if entry is None or entry.kind == XMI_ID:
-            if local == "Extension" and XMI_NAMESPACES.fullmatch(tag.rpartition("}")[0]):
+            if local == "Extension" and XMI_NAMESPACES.fullmatch(namespace):
                 self.extension()
                 self.skip()
                 return None, None
-            namespace = tag.rpartition("}")[0]
             if namespace and not XMI_NAMESPACES.fullmatch(namespace) and self.package_of(namespace) is None:
-                self.foreign(self.expat.CurrentLineNumber, f"'{local}' is of the namespace '{namespace}'", namespace)
+                self.apart(f"'{local}' is of the namespace '{namespace}'", namespace)
             else:
                 self.no_feature(type(element).eClass, local, entries)
             self.skip()
@@ -473,7 +468,7 @@ class _Parser(Builder):
             return plan, entry if plan is not None else None
         elif entry.kind in (IGNORED, REFUSED):
             if entry.message:
-                self.foreign(self.expat.CurrentLineNumber, entry.message, "")
+                self.apart(entry.message)
             self.skip()
         elif attributes.get(f"{XSI}}}nil") in ("true", "1"):
             if entry.kind == REFERENCE:
@@ -550,20 +545,14 @@ class _Parser(Builder):
         package = self.package_of(uri)
         eclass = class_in(package, name)
         if eclass is None and package is None and self.several and self.document.roots:
-            self.foreign(self.expat.CurrentLineNumber, f"'{name}' is of the namespace '{uri}'", uri)
+            self.apart(f"'{name}' is of the namespace '{uri}'", uri)
             self.skip()
             return None, None
         if eclass is None:
-            raise Unreadable(
-                f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here",
-                self.expat.CurrentLineNumber,
-                "",
-                uri,
-            )
+            said = f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here"
+            raise Unreadable(said, self.at(), "", uri)
         plan = self.plans.of(eclass)
-        if not self.usable(plan):
-            return None, None
-        return plan, FeatureEntry(ROOT)
+        return (plan, FeatureEntry(ROOT)) if self.usable(plan) else (None, None)
 
     def skip(self) -> None:
         """Pass over everything up to the end of the current element."""
@@ -584,9 +573,7 @@ class _Parser(Builder):
     def extension(self) -> None:
         """Say that an extension is not in the model; a strict read takes it as it always did."""
         if self.tells_foreign:
-            self.foreign(
-                self.expat.CurrentLineNumber, "an extension of XMI, of the tool that wrote the file, is not in the model", ""
-            )
+            self.apart("an extension of XMI, of the tool that wrote the file, is not in the model")
 
     # --- namespaces, and what a model has not
 
