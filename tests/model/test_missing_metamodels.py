@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.errors import SourceError
 from robosmi.model import Session
 from robosmi.model.ecore.ecore_loader import MetamodelError
 from robosmi.model.ecore.metamodel import Metamodel
@@ -64,6 +65,15 @@ def test_a_neighbour_elsewhere_in_the_given_folder_is_found_by_its_name(tmp_path
         new = (FOLDER / "elsewhere" / "base.ecore").read_text().replace("example.org/base", f"example.org/{place}")
         new = text.replace("gone/base.ecore", "platform:/plugin/two/model/base.ecore") if name == "m" else new
         (tmp_path / place / f"{name}.ecore").write_text(new)
+    (tmp_path / "x" / "a_project_called.ecore").mkdir()
     mm = Metamodel.load(tmp_path)
     assert mm.findings == []
     assert [each.ePackage.nsURI for each in mm.M.eClass.eSuperTypes] == ["http://example.org/x/two/model"]
+
+
+def test_a_root_that_its_metamodel_does_not_have_is_told_apart_from_an_unknown_namespace(tmp_path: Path) -> None:
+    """Archi's files have `<archimate:model>`, a name that an annotation of the class says; EMF refuses it, too."""
+    (tmp_path / "m.xmi").write_text('<m:model xmlns:m="http://example.org/m"/>')
+    with pytest.raises(SourceError, match=r"'model' of the namespace .* is of no class of its metamodel") as caught:
+        EmfModel.load(tmp_path / "m.xmi", FOLDER / "m.ecore")
+    assert "version" in str(caught.value.fix)

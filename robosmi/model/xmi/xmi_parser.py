@@ -549,8 +549,8 @@ class _Parser(Builder):
             self.skip()
             return None, None
         if eclass is None:
-            said = f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here"
-            raise Unreadable(said, self.at(), "", uri)
+            said = "belongs to no metamodel known here" if package is None else "is of no class of its metamodel"
+            raise Unreadable(f"the root element '{name}' of the namespace '{uri}' {said}", self.at(), "", uri)
         plan = self.plans.of(eclass)
         return (plan, FeatureEntry(ROOT)) if self.usable(plan) else (None, None)
 

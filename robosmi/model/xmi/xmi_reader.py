@@ -327,6 +327,9 @@ class _Reader:
     def _unknown(self, error: Unreadable) -> tuple[str, str]:
         """What is wrong with a file whose root has an unknown namespace, and what to do about it."""
         uri = error.namespace
+        if self.package(uri) is not None:
+            fix = "give the metamodel of the version that wrote the file; names of classes that annotations say are not read"
+            return error.text, fix
         if uri.startswith(OWN_NAMESPACES) and uri not in (current := built_in().uris()):
             family = uri.rpartition("/")[0]
             for known in (each for each in current if each.rpartition("/")[0] == family):
