@@ -57,14 +57,18 @@ class TargetFacts:
         model: the target, loaded from the repository or from stored models.
         any_board: whether a drawing may have another board than the target's.
         full_name: the board's full name with the options of menus that were given; empty for the board as its data has it.
+        options_checked: whether the board's core is there, so that it has these options.
     """
 
-    def __init__(self, model: platform.Target, any_board: bool = False, full_name: str = "") -> None:
+    def __init__(
+        self, model: platform.Target, any_board: bool = False, full_name: str = "", options_checked: bool = True
+    ) -> None:
         if model.platform is None:
             raise PlatformDataError(f"the target '{model.name}' has no platform", fix="run migrate again")
         self.model = model
         self.any_board = any_board
         self.full_name = full_name
+        self.options_checked = options_checked
         self._platform: platform.Platform = model.platform
         self.shared = model.platform.names
         """All names that the platform shares with programs, also once a plan has kept some of them only."""
@@ -198,8 +202,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     made = _platform(_on(own, str(chip.architecture) if chip is not None else ""), table.text("platform"), project)
     made.boardMappings.append(load_mapping(table.text("platform"), board, project))
     full_name = target if _parts(target)[1] and target != made.boardMappings[0].boardId else ""
-    if full_name:
-        _choose_options(full_name, made.boardMappings[0], board)
+    checked = _choose_options(full_name, made.boardMappings[0], board) if full_name else True
     toolchain = table.text("toolchain", "")
     model = platform.Target(
         name=name,
@@ -214,7 +217,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
         projectFile=table.text("project_file", ""),
         libraryIndex=table.text("libraries", ""),
     )
-    return TargetFacts(model, table.flag("any_board", False), full_name)
+    return TargetFacts(model, table.flag("any_board", False), full_name, checked)
 
 
 def _ending(table: DataTable, key: str) -> str:
@@ -281,8 +284,11 @@ def _parts(full_name: str) -> tuple[str, frozenset[str]]:
     return ":".join(board), frozenset(filter(None, options.split(",")))
 
 
-def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Board) -> None:
+def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Board) -> bool:
     """Keep options of menus in the mapping, and what they change of the board as far as its core, if installed, says so.
+
+    Returns:
+        Whether the core is installed, so that it has these options.
 
     Raises:
         UsageError: the core has no such menu or option, or the options choose another board.
@@ -297,6 +303,7 @@ def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Boar
     if after.get(_CLOCK) != before.get(_CLOCK):
         board.clockHertz = int(after[_CLOCK].rstrip("ULul"))
         mapping.platformioSettings.append(f"board_build.f_cpu = {board.clockHertz}L")
+    return bool(after)
 
 
 def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None) -> DataTable:
