@@ -53,6 +53,7 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         full_names=tuple(filter(None, (mapping.boardId, *mapping.otherIds))),
         values={
             "mcu": str(chip.name), "f_cpu": str(board.clockHertz), "variant": str(mapping.variant), "define": str(mapping.define),
+            "core_version": str(mapping.coreVersion),
         },
         extra_flags=(*own, *mapping.extraFlags),
         flash_bytes=int(mapping.flashBytes),
