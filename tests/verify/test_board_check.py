@@ -162,7 +162,8 @@ def test_pins_that_the_headers_of_another_core_contradict_are_named() -> None:
     """D13, D2, A0 and A1 are the board's; D4, which is told in two ways, is not compared."""
     nano = next(board for board in load_boards("arduino") if board.name == "nano-rp2040")
     variant = Path(__file__).parent / "cases" / "pins_of_a_core" / "variant"
-    found = constant_findings(nano, [variant.parent / "no core", variant])
+    toolchain = next(each for each in load_toolchains() if each.platform == "arduino")
+    found = constant_findings(nano, toolchain, [variant.parent / "no core", variant])
     where = "in the core that programs are compiled with (variant 'variant') it is"
     assert [finding.message for finding in found] == [
         f"the file of the board 'nano-rp2040' says that the number of D3 is 15; {where} 16",

@@ -83,14 +83,17 @@ def version_finding(board: Board, version: str) -> list[Finding]:
     return [Finding(OTHER_FACTS, Severity.info, cause, _place(board.file, "core ="), fix=fix)]
 
 
-def constant_findings(board: Board, folders: Sequence[Path]) -> list[Finding]:
+def constant_findings(board: Board, toolchain: Toolchain, folders: Sequence[Path]) -> list[Finding]:
     """The pins in which a board's file contradicts the constants in the headers of its core, read without a compiler.
 
     Args:
         board: the board as its file has it.
-        folders: the folders of the core and of the board's variant.
+        toolchain: its data says which header of a core has numbers of pins.
+        folders: the folder of the core, and that of the board's variant.
     """
-    named = _constants(folders)
+    header = toolchain.board_check.text("core_header", "")
+    core = [path for path in (folders[0] / header,) if path.is_file()] if header else []
+    named = _constants([*(file for folder in folders[1:] for file in sorted(folder.glob("*.h"))), *core])
     found = []
     for claim in board.claims():
         told, own = _constant(claim.ask, named), _constant(claim.answer, named)
@@ -99,12 +102,10 @@ def constant_findings(board: Board, folders: Sequence[Path]) -> list[Finding]:
     return found
 
 
-def _constants(folders: Sequence[Path]) -> dict[str, str]:
-    """Name -> text of the constants of pins; none that the headers define in several ways."""
-    headers = [file for folder in folders[1:] for file in sorted(folder.glob("*.h"))]
-    headers += [file for file in (folder / "pins_arduino.h" for folder in folders[:1]) if file.is_file()]
+def _constants(headers: Sequence[Path]) -> dict[str, str]:
+    """Name -> text of the constants in headers and in those that these include; none that is defined in several ways."""
     texts = [inputs.read_text(file, inputs.DATA, "utf-8", "replace") for file in headers]
-    for file, text in zip([*headers], [*texts], strict=True):  # what a variant shares with others
+    for file, text in zip(headers, [*texts], strict=True):  # what a variant shares with others
         shared = [(file.parent / name).resolve() for name in _INCLUDED.findall(text)]
         texts += [inputs.read_text(path, inputs.DATA, "utf-8", "replace") for path in shared if path.is_file()]
     found: dict[str, set[str]] = {}

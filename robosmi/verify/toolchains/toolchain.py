@@ -97,7 +97,7 @@ def _compiled(
     if (found := _board_without_data(sketch, boards, toolchain, board)) is not None:
         known = _without_options(found.board, boards, toolchain)
         report = _compiled_by_core(sketch, found._replace(board=known or found.board), toolchain, keep, project)
-        told = [_no_data(found.board, sketch)] if known is None else _pins_and_version(known, found)
+        told = [_no_data(found.board, sketch)] if known is None else _pins_and_version(known, found, toolchain)
         report = replace(report, diagnostics=(*told, *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
@@ -109,7 +109,7 @@ def _compiled(
         report = _compiled_by_core(sketch, found._replace(board=chosen), toolchain, keep, project)
         told = []
         if found.board.name in chosen.full_names:  # else a stand-in for any board
-            told = [*_pins_and_version(chosen, found), *size_findings(chosen, found.board)]
+            told = [*_pins_and_version(chosen, found, toolchain), *size_findings(chosen, found.board)]
         report = replace(report, diagnostics=(*told, *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     installed = find_installed(toolchain)
@@ -205,10 +205,10 @@ def _without_options(board: Board, boards: list[Board], toolchain: Toolchain) ->
     return max(found, key=lambda each: each[0])[1] if found else None
 
 
-def _pins_and_version(board: Board, found: InstalledBoard) -> list[Finding]:
+def _pins_and_version(board: Board, found: InstalledBoard, toolchain: Toolchain) -> list[Finding]:
     """What a board's file has otherwise than the core that builds its programs, but for sizes, which options may change."""
     version = version_finding(board, found.version) if found.version else []
-    return [*version, *constant_findings(board, found.recipes.core_folders)]
+    return [*version, *constant_findings(board, toolchain, found.recipes.core_folders)]
 
 
 def _no_data(board: Board, sketch: Sketch) -> Finding:
