@@ -146,6 +146,8 @@ def pin_library(output: Path, name: str, version: str) -> Generated | None:
             return None
         for library in found:
             library.version = version
+        if name in models.plan.target.coreLibraries:  # the user wants that one
+            models.plan.target.coreLibraries.remove(name)
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         refresh_findings(models.plan, words=False)

@@ -1,6 +1,7 @@
 """What `sketch.yaml` (Arduino CLI) and `platformio.ini` (PlatformIO) say: board and libraries with their versions.
 
-The libraries are those that something in the sketch uses.
+The libraries are those that something in the sketch uses, but for those that the board's core brings: one of the index would
+go before the core's own, and may not compile there.
 """
 
 from __future__ import annotations
@@ -25,7 +26,8 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
     included = [c.chosen for c in plan.libraryChoices if c.chosen is not None and c.included]
     adapted = [library for library in plan.target.libraries if library.name in used]
     chosen = list({id(library): library for library in (*included, *adapted, *plan.ownLibraries)}.values())
-    names = list(dict.fromkeys(name for library in chosen for name in (library.name, *library.depends)))
+    needed = dict.fromkeys(name for library in chosen for name in (library.name, *library.depends))
+    names = [name for name in needed if name not in plan.target.coreLibraries]
     return {
         "board": full_name,
         "platform": core,

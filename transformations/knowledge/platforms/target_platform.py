@@ -69,7 +69,8 @@ class TargetFacts:
         self.any_board = any_board
         self.full_name = full_name
         self.options_checked = options_checked
-        self._platform: platform.Platform = model.platform
+        self.own_platform: platform.Platform = model.platform
+        """The platform with its names, which a plan refers to."""
         self.shared = model.platform.names
         """All names that the platform shares with programs, also once a plan has kept some of them only."""
 
@@ -92,7 +93,7 @@ class TargetFacts:
     @property
     def platform(self) -> str:
         """Name of the platform."""
-        return str(self._platform.name)
+        return str(self.own_platform.name)
 
     @property
     def board_model(self) -> _Board:
@@ -113,7 +114,7 @@ class TargetFacts:
     @property
     def called(self) -> frozenset[str]:
         """All names of the target: the given one, the board's, and the board's full name in the platform's tools."""
-        mapped = [name for each in self._platform.boardMappings for name in (each.boardId, *each.otherIds) if name]
+        mapped = [name for each in self.own_platform.boardMappings for name in (each.boardId, *each.otherIds) if name]
         return frozenset({self.target, self.board, *mapped})
 
     @property
@@ -125,12 +126,12 @@ class TargetFacts:
     def architecture(self) -> str:
         """Architecture of the board's processor, as libraries declare it."""
         chip = self.model.board.microcontroller if self.model.board is not None else None
-        return str(chip.architecture if chip is not None else self._platform.architecture)
+        return str(chip.architecture if chip is not None else self.own_platform.architecture)
 
     @property
     def include(self) -> str:
         """Header that every program includes, or empty."""
-        return str(self._platform.mainHeader)
+        return str(self.own_platform.mainHeader)
 
     @property
     def libraries(self) -> str:
@@ -150,22 +151,22 @@ class TargetFacts:
     @cached_property
     def standard_headers(self) -> frozenset[str]:
         """C headers that the platform has."""
-        return frozenset(self._platform.standardHeaders)
+        return frozenset(self.own_platform.standardHeaders)
 
     @cached_property
     def own_headers(self) -> frozenset[str]:
         """The platform's own headers, in lower case: a program's header of the same name would replace it."""
-        return frozenset(name.lower() for name in (self._platform.mainHeader, *self._platform.ownHeaders))
+        return frozenset(name.lower() for name in (self.own_platform.mainHeader, *self.own_platform.ownHeaders))
 
     @cached_property
     def widths(self) -> Mapping[str, str]:
         """Type of the source by value -> type that holds the same values."""
-        return {w.sourceType: w.targetType for w in self._platform.widths}
+        return {w.sourceType: w.targetType for w in self.own_platform.widths}
 
     @cached_property
     def wider_names(self) -> Mapping[str, str]:
         """Function, type or macro of the standard library with an int in it -> its counterpart with the source's width."""
-        return {w.sourceType: w.targetType for w in self._platform.widerNames}
+        return {w.sourceType: w.targetType for w in self.own_platform.widerNames}
 
     @cached_property
     def names(self) -> TargetNames:
