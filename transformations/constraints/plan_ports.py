@@ -186,7 +186,7 @@ def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
     assert pin is not None
     can = pin.abilities
     for name, capability, asked in (*requested_functions(b), *_retained_functions(b)):
-        if capability is platform.PinCapability.digital and "digital" not in can:
+        if capability is platform.PinCapability.digital and "digital" not in can and "analog_in" in can:
             if asked is None or asked.direction is not platform.Direction.input:
                 return Fail(f"{name} drives the {named(b)}, but {pin.label} cannot be an output", pin=pin.label)
             if "interrupt" not in can:  # one with an interrupt reads levels, as the inputs of an ESP32
