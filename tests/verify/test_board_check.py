@@ -171,6 +171,8 @@ def test_pins_that_the_headers_of_another_core_contradict_are_named() -> None:
     ]
     assert {(finding.rule, finding.severity) for finding in found} == {("RS810", Severity.error)}
     assert all(finding.location is not None and finding.location.line is not None for finding in found)
+    unnamed = nano._replace(claims=lambda: tuple(claim._replace(ask="7") for claim in nano.claims() if claim.key == "numbers"))
+    assert constant_findings(unnamed, toolchain, [variant.parent / "no core", variant]) == found  # written as numbers
 
 
 def test_a_core_of_another_version_than_the_boards_file_is_named() -> None:

@@ -32,9 +32,10 @@ _DATA = re.compile(r"^\s+\.(byte|word|short|long|zero|skip)\s+(\S(?:.*\S)?)\s*$"
 _SIZES = {"byte": 1, "word": 2, "short": 2, "long": 4}
 _TOLD = "told_of_board"
 _LONGEST = 200
-_INCLUDED = re.compile(r'^\s*#\s*include\s+"([^"\n]+)"', re.MULTILINE)
+_INCLUDED = re.compile(r'^[ \t]*+#[ \t]*+include[ \t]++"([^"\n]+)"', re.MULTILINE)
 _CONSTANT = re.compile(
-    r"^\s*(?:#\s*define\s+(\w+)\s|(?:static\s+|constexpr\s+|const\s+)+\w+\s+(\w+)\s*=)\s*\(?\s*(\w+)\s*\)?\s*;?\s*(?:/[/*].*)?$",
+    r"^[ \t]*+(?:#[ \t]*+define[ \t]++(\w++)[ \t]|(?:(?:static|constexpr|const)[ \t]++)++\w++[ \t]++(\w++)[ \t]*+=)"
+    r"[ \t(]*+(\w++)[ \t);]*+(?:/[/*].*)?$",
     re.MULTILINE,
 )
 _NUMBER = re.compile(r"(0[xX][0-9a-fA-F]+|0|[1-9]\d*)[uUlL]*")
@@ -96,7 +97,8 @@ def constant_findings(board: Board, toolchain: Toolchain, folders: Sequence[Path
     named = _constants([*(file for folder in folders[1:] for file in sorted(folder.glob("*.h"))), *core])
     found = []
     for claim in board.claims():
-        told, own = _constant(claim.ask, named), _constant(claim.answer, named)
+        asked = claim.label if _NUMBER.fullmatch(claim.ask) else claim.ask  # programs may write a pin's number without its name
+        told, own = _constant(asked, named), _constant(claim.answer, named)
         if None not in (told, own) and told != own:
             found.append(_contradiction(board, claim, str(told), folders[-1].name))
     return found

@@ -182,8 +182,16 @@ def _compiled_by_core(
         used = Finding(STAND_IN_USED, Severity.info, message, Location(str(sketch.main)), fix=found.install, evidence=evidence)
         found_there = tuple(_of_the_core(finding, sketch) for finding in report.diagnostics)
         report = replace(report, stand_in_core=found.stand_in, diagnostics=(used, *found_there))
-    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
-    return replace(report, diagnostics=diagnostics)
+    told = (_in_the_core(finding, found.recipes.core) for finding in report.diagnostics)
+    return replace(report, diagnostics=tuple(_with_offers(finding, toolchain, project) for finding in told))
+
+
+def _in_the_core(finding: Finding, core: Path) -> Finding:
+    """The finding; if a file of the core misses a header, with the advice to install the core again."""
+    place = finding.location
+    if finding.rule != MISSING_HEADER or place is None or not Path(place.path).is_relative_to(core / "cores"):
+        return finding
+    return replace(finding, fix="install the board's core again: a file of it is missing")
 
 
 def _of_the_core(finding: Finding, sketch: Sketch) -> Finding:
