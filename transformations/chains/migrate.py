@@ -328,6 +328,10 @@ def models(
     else:
         left = "ports and libraries stay open" if kept is None else "what the new board is wired to is not known"
         findings.append(Finding("RS210", Severity.info, f"no drawing given: {left}", fix="give --hardware SKETCH"))
+    if not target.options_checked:
+        core = ":".join(target.full_name.split(":")[:2])
+        message = f"the menu options of '{target.full_name}' are not checked: the core '{core}' is not installed"
+        findings.append(Finding("RS814", Severity.info, message, fix="install the core; 'robosmi compile' then checks them"))
     if settings.libraries and not target.libraries:
         message = f"the target '{target.target}' has no libraries; the project file's libraries are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))

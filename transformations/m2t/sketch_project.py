@@ -1,7 +1,8 @@
 """The project files of other tools around a sketch.
 
 `sketch.yaml` (Arduino CLI) and `platformio.ini` (PlatformIO) have the board and the libraries that something in the sketch
-uses, with their versions (`project`).
+uses, with their versions (`project`), but for the libraries that the board's
+core brings: one of the index would go before the core's own, and may not compile there.
 
 A project of the Wokwi simulator (`project_files`) has `diagram.json`, the sketch under the name that Wokwi expects, and
 `libraries.txt`. `m2m/circuits/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com:
@@ -42,7 +43,8 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
     included = [c.chosen for c in plan.libraryChoices if c.chosen is not None and c.included]
     adapted = [library for library in plan.target.libraries if library.name in used]
     chosen = list({id(library): library for library in (*included, *adapted, *plan.ownLibraries)}.values())
-    names = list(dict.fromkeys(name for library in chosen for name in (library.name, *library.depends)))
+    needed = dict.fromkeys(name for library in chosen for name in (library.name, *library.depends))
+    names = [name for name in needed if name not in plan.target.coreLibraries]
     return {
         "board": full_name,
         "platform": core,
