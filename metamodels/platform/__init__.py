@@ -240,6 +240,8 @@ class Platform(Element, metaclass=MetaEClass):
     """Name of the processor architecture as libraries declare it."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the target's core that a project names."""
+    coreLibraries: MutableSequence[str] = EAttribute(eType=EString, upper=-1)
+    """Libraries of the index that the core of the board brings itself."""
     coreName: str = EAttribute(eType=EString, default_value="")
     """Name of the core with that version, as boards name it (arduino:avr); empty if every board has that core."""
     mainHeader: str = EAttribute(eType=EString, default_value="")
@@ -306,6 +308,7 @@ class Platform(Element, metaclass=MetaEClass):
             portPrefix: str | None = None,
             architecture: str | None = None,
             coreVersion: str | None = None,
+            coreLibraries: Iterable[str] | None = None,
             coreName: str | None = None,
             mainHeader: str | None = None,
             pinFunctions: Iterable[str] | None = None,

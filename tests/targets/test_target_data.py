@@ -108,6 +108,21 @@ def test_options_of_menus_stay_in_the_full_name_and_set_the_clock(project: Path)
     assert full_name_and_clock("rp2040:rp2040:rpipico:")[0] == "rp2040:rp2040:rpipico"
 
 
+def test_options_of_a_core_that_is_not_installed_are_not_checked_and_that_is_said(project: Path) -> None:
+    said = {}
+    for board in ("esp32:esp32:esp32:PSRAM=lots", "rp2040:rp2040:rpipico:freq=133", "uno"):
+        outcome = run("migrate", "beacon.c", "--target", board, "-o", "out", "--yes", "--json")
+        assert outcome.code == 0
+        said[board] = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS814"]
+    assert said == {
+        "esp32:esp32:esp32:PSRAM=lots": [
+            "the menu options of 'esp32:esp32:esp32:PSRAM=lots' are not checked: the core 'esp32:esp32' is not installed"
+        ],
+        "rp2040:rp2040:rpipico:freq=133": [],
+        "uno": [],
+    }
+
+
 def test_of_boards_with_one_name_the_one_with_most_of_the_options_is_meant() -> None:
     assert target_facts("arduino:avr:pro:cpu=8MHzatmega328").board == "pro8mhz"
     assert target_facts("arduino:avr:pro:cpu=16MHzatmega328").board == "promini"

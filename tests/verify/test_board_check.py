@@ -10,7 +10,7 @@ import pytest
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import PlatformDataError
 from robosmi.resources import built_in
-from robosmi.verify.toolchains.board_check import arrays, board_findings, size_findings
+from robosmi.verify.toolchains.board_check import arrays, board_findings, constant_findings, size_findings, version_finding
 from robosmi.verify.toolchains.boards import load_boards
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from robosmi.verify.toolchains.toolchain_data import load_toolchains
@@ -156,3 +156,29 @@ def test_sizes_that_the_core_of_another_architecture_contradicts_are_named() -> 
     assert "says ram_bytes 262144; the core's list has 520000 for 'rp2040:rp2040:rpipico'" in found.message
     assert found.location is not None
     assert found.location.line is not None
+
+
+def test_pins_that_the_headers_of_another_core_contradict_are_named() -> None:
+    """D13, D2, A0 and A1 are the board's; D4, which is told in two ways, is not compared."""
+    nano = next(board for board in load_boards("arduino") if board.name == "nano-rp2040")
+    variant = Path(__file__).parent / "cases" / "pins_of_a_core" / "variant"
+    toolchain = next(each for each in load_toolchains() if each.platform == "arduino")
+    found = constant_findings(nano, toolchain, [variant.parent / "no core", variant])
+    where = "in the core that programs are compiled with (variant 'variant') it is"
+    assert [finding.message for finding in found] == [
+        f"the file of the board 'nano-rp2040' says that the number of D3 is 15; {where} 16",
+        f"the file of the board 'nano-rp2040' says that the number of A2 is 28; {where} 29",
+    ]
+    assert {(finding.rule, finding.severity) for finding in found} == {("RS810", Severity.error)}
+    assert all(finding.location is not None and finding.location.line is not None for finding in found)
+    unnamed = nano._replace(claims=lambda: tuple(claim._replace(ask="7") for claim in nano.claims() if claim.key == "numbers"))
+    assert constant_findings(unnamed, toolchain, [variant.parent / "no core", variant]) == found  # written as numbers
+
+
+def test_a_core_of_another_version_than_the_boards_file_is_named() -> None:
+    pico = next(board for board in load_boards("arduino") if board.name == "pico")
+    assert version_finding(pico, "6.0.0") == []
+    assert version_finding(pico._replace(values={}), "5.1.0") == []
+    (found,) = version_finding(pico, "5.1.0")
+    assert (found.rule, found.severity) == ("RS810", Severity.info)
+    assert "is of version 6.0.0 of its core; 5.1.0 builds the program" in found.message

@@ -123,6 +123,8 @@ def test_a_header_of_the_core_is_not_looked_for_in_a_library(tmp_path: Path) -> 
 
 def test_a_tool_that_says_nothing_is_still_a_finding() -> None:
     assert messages.unread("linking", "").message == "linking failed: no message from the tool"
+    said = "ld: cannot open linker script file memory.ld: No such file or directory\ncollect2: error: ld returned 1 exit status"
+    assert "memory.ld" in messages.unread("linking", said).message
 
 
 def test_missing_headers_are_the_names_that_are_no_files(tmp_path: Path) -> None:

@@ -131,6 +131,8 @@ def test_a_board_that_a_project_file_names_is_refused_with_its_line(home: Path, 
     [
         ("{build.f_cpu}", "{build.clock}", PlatformDataError, "build.clock"),
         ("recipe.size.pattern", "recipe.length.pattern", PlatformDataError, "recipe.size.pattern"),
+        ("recipe.cpp.o.pattern=", "recipe.cpp.o.pattern=\nx=", PlatformDataError, "no command in 'recipe.cpp.o.pattern'"),
+        ("recipe.size.regex=", "recipe.size.regex=^nothing ([0-9]+)\nx=", PlatformDataError, "'recipe.size.regex'"),
         ("compiler.cpp.cmd=g++", "compiler.cpp.cmd=toy-g++", MissingToolError, "toy-g++"),
         ("compiler.cpp.cmd=g++", "compiler.cpp.name=g++", PlatformDataError, "{compiler.cpp.cmd}"),
         ("version=1.2.3", "version", SourceError, "key=value"),
@@ -149,14 +151,19 @@ def test_a_damaged_core_is_named_and_nothing_is_written(
     assert not list(keep.iterdir())
 
 
-def test_a_hook_that_fails_ends_the_build_with_what_it_said(home: Path) -> None:
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ('"import shutil, sys; shutil.move(*sys.argv[1:])"', "\"raise SystemExit('no key')\"", "no key"),
+        ("recipe.c.combine.pattern=", "recipe.c.combine.pattern=true\nx=", "makes no for_a_core.elf"),
+    ],
+)
+def test_a_step_that_fails_ends_the_build_with_what_it_said(home: Path, old: str, new: str, says: str) -> None:
     platform = installed(home) / "platform.txt"
-    platform.write_text(
-        platform.read_text().replace('"import shutil, sys; shutil.move(*sys.argv[1:])"', "\"raise SystemExit('no key')\"")
-    )
+    platform.write_text(platform.read_text().replace(old, new))
     report = compiled("lab:toy:host")
     assert not report.ok
-    assert any("no key" in finding.message for finding in report.diagnostics)
+    assert any(says in finding.message for finding in report.diagnostics)
 
 
 def test_a_missing_converter_leaves_the_program_and_says_so(home: Path, tmp_path: Path) -> None:

@@ -141,11 +141,14 @@ def pin_library(output: Path, name: str, version: str) -> Generated | None:
     with at_work(output):
         stored = Places(output).read(STORED) or b""
         models = stored_models(output)
-        found = [each for each in models.plan.target.libraries if each.name == name] if models.plan.target is not None else []
-        if not found:
+        target = models.plan.target
+        found = [each for each in target.libraries if each.name == name] if target is not None else []
+        if target is None or not found:
             return None
         for library in found:
             library.version = version
+        if name in target.coreLibraries:  # the user wants that one
+            target.coreLibraries.remove(name)
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         refresh_findings(models.plan, words=False)

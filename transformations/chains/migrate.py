@@ -27,10 +27,9 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
+from robosmi.transformations.chains.library_steps import history_findings, library_decisions, make_ranker, previous_choices
 from robosmi.transformations.chains.retained_program import RetainedProgram, new_board, retained_program
 from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
-from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
 from robosmi.transformations.chains.stages.edited_plan import import_choices
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
@@ -329,6 +328,10 @@ def models(
     else:
         left = "ports and libraries stay open" if kept is None else "what the new board is wired to is not known"
         findings.append(Finding("RS210", Severity.info, f"no drawing given: {left}", fix="give --hardware SKETCH"))
+    if not target.options_checked:
+        core = ":".join(target.full_name.split(":")[:2])
+        message = f"the menu options of '{target.full_name}' are not checked: the core '{core}' is not installed"
+        findings.append(Finding("RS814", Severity.info, message, fix="install the core; 'robosmi compile' then checks them"))
     if settings.libraries and not target.libraries:
         message = f"the target '{target.target}' has no libraries; the project file's libraries are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))

@@ -184,12 +184,18 @@ def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
     """A pin has the abilities that the functions of its port need; no other adapter uses its timer, no other port its output."""
     pin = bound_pin(b)
     assert pin is not None
-    for name, capability in (*requested_functions(b), *_retained_functions(b)):
-        if capability is platform.PinCapability.pwm and "pwm" not in pin.abilities:
+    can = pin.abilities
+    for name, capability, asked in (*requested_functions(b), *_retained_functions(b)):
+        if capability is platform.PinCapability.digital and "digital" not in can and "analog_in" in can:
+            if asked is None or asked.direction is not platform.Direction.input:
+                return Fail(f"{name} drives the {named(b)}, but {pin.label} cannot be an output", pin=pin.label)
+            if "interrupt" not in can:  # one with an interrupt reads levels, as the inputs of an ESP32
+                return Fail(f"{name} reads the level of the {named(b)}, but {pin.label} only measures voltages", pin=pin.label)
+        if capability is platform.PinCapability.pwm and "pwm" not in can:
             return Fail(f"{pin.label} of the {named(b)} has no PWM, so {name} only switches it on or off", pin=pin.label)
-        if capability is platform.PinCapability.analog and "analog_in" not in pin.abilities:
+        if capability is platform.PinCapability.analog and "analog_in" not in can:
             return Fail(f"{name} measures a voltage, but {pin.label} of the {named(b)} cannot", pin=pin.label)
-        if capability is platform.PinCapability.interrupt and "interrupt" not in pin.abilities and retains_platform(plan_of(b)):
+        if capability is platform.PinCapability.interrupt and "interrupt" not in can and retains_platform(plan_of(b)):
             return Fail(f"{pin.label} of the {named(b)} has no interrupt, so {name} cannot watch it", pin=pin.label)
         takers = [use.name for use in plan_of(b).adapterUses if use.name != name and pin.timer in _timers(use)]
         if capability is platform.PinCapability.pwm and pin.timer and takers:
@@ -219,17 +225,20 @@ def _sharer(b: migration.PortBinding, shared: Callable[[platform.Pin], tuple[str
         there = bound_pin(other)
         if there is None or pin is None or there is pin or shared(there) != shared(pin):
             continue
-        if any(each is needed for _, each in (*requested_functions(other), *_retained_functions(other))):
+        if any(each is needed for _, each, _ in (*requested_functions(other), *_retained_functions(other))):
             return f"the {named(other)} on {there.label}"
     return ""
 
 
+_Request = tuple[str, platform.PinCapability, platform.AdapterPin | platform.ConventionalPort | None]
+"""A function, the ability that it needs of a pin, and what tells whether it reads or drives the pin; None: it drives it."""
 _NEEDED = {
+    "digital": platform.PinCapability.digital,
     "pwm": platform.PinCapability.pwm, "analog_in": platform.PinCapability.analog, "interrupt": platform.PinCapability.interrupt
 }  # fmt: skip
 
 
-def _retained_functions(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
+def _retained_functions(b: migration.PortBinding) -> Iterator[_Request]:
     """The functions of a platform that stays, each with the ability that it needs and that the pin of the source board has."""
     plan = plan_of(b)
     if not retains_platform(plan) or plan.source is None:
@@ -242,13 +251,13 @@ def _retained_functions(b: migration.PortBinding) -> Iterator[tuple[str, platfor
         for call in flow.calls if b in flow.bindings else ():
             ability = needs.get(str(call.calleeName), "")
             if there is not None and ability in there.abilities:
-                yield str(call.calleeName), _NEEDED[ability]
+                yield str(call.calleeName), _NEEDED[ability], None
 
 
-def requested_functions(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
+def requested_functions(b: migration.PortBinding) -> Iterator[_Request]:
     """The functions that receive a port, each with the ability that it needs of the pin."""
     if b.conventionalPort is not None:
-        yield b.name, b.conventionalPort.capability
+        yield b.name, b.conventionalPort.capability, b.conventionalPort
     plan = plan_of(b)
     adapters = {str(use.name): use.adapter for use in plan.adapterUses if use.adapter is not None}
     for flow in plan.portFlows:
@@ -259,7 +268,7 @@ def requested_functions(b: migration.PortBinding) -> Iterator[tuple[str, platfor
             names = [name for signature in adapter.signatures[:1] for name in parameter_names(signature)]
             for pin in adapter.pins:
                 if len(adapter.pins) == 1 or (pin.name in names and _is_given(b, call, names.index(pin.name))):
-                    yield str(call.calleeName), pin.capability
+                    yield str(call.calleeName), pin.capability, pin
 
 
 def _is_given(b: migration.PortBinding, call: ccode.Call, position: int) -> bool:

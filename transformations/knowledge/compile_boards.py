@@ -53,6 +53,7 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         full_names=tuple(filter(None, (mapping.boardId, *mapping.otherIds))),
         values={
             "mcu": str(chip.name), "f_cpu": str(board.clockHertz), "variant": str(mapping.variant), "define": str(mapping.define),
+            "core_version": str(mapping.coreVersion),
         },
         extra_flags=(*own, *mapping.extraFlags),
         flash_bytes=int(mapping.flashBytes),
@@ -154,7 +155,7 @@ def _facts(name: platform.PinName, pin: platform.Pin) -> dict[str, str]:
 
 def _claim(entry: DataTable, facts: dict[str, str], file: Path | None, beside: str) -> Claim:
     says, ask, answer = (_filled(entry.text(key), facts) for key in ("says", "ask", "answer"))
-    return Claim(says, ask, answer, entry.texts("choices"), entry.text("key"), file, beside)
+    return Claim(says, ask, answer, entry.texts("choices"), entry.text("key"), file, beside, facts["label"])
 
 
 def _filled(text: str, facts: dict[str, str]) -> str:

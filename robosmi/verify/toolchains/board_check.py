@@ -32,6 +32,15 @@ _DATA = re.compile(r"^\s+\.(byte|word|short|long|zero|skip)\s+(\S(?:.*\S)?)\s*$"
 _SIZES = {"byte": 1, "word": 2, "short": 2, "long": 4}
 _TOLD = "told_of_board"
 _LONGEST = 200
+_INCLUDED = re.compile(r'^[ \t]*+#[ \t]*+include[ \t]++"([^"\n]+)"', re.MULTILINE)
+_CONSTANT = re.compile(
+    r"^[ \t]*+(?:#[ \t]*+define[ \t]++(\w++)[ \t]|(?:(?:static|constexpr|const)[ \t]++)++\w++[ \t]++(\w++)[ \t]*+=)"
+    r"[ \t(]*+(\w++)[ \t);]*+(?:/[/*].*)?$",
+    re.MULTILINE,
+)
+_NUMBER = re.compile(r"(0[xX][0-9a-fA-F]+|0|[1-9]\d*)[uUlL]*")
+_STEPS = 8
+"""How many constants may stand for one another."""
 
 Arrays = Mapping[str, bytes]
 """Name of an array -> its bytes, in little-endian order."""
@@ -65,6 +74,60 @@ def size_findings(board: Board, told: Board) -> list[Finding]:
     return found
 
 
+def version_finding(board: Board, version: str) -> list[Finding]:
+    """What is said where a board's file is of another version of its core than the one that builds its programs."""
+    own = board.values.get("core_version", "")
+    if own in ("", version):
+        return []
+    cause = f"the file of the board '{board.name}' is of version {own} of its core; {version} builds the program"
+    fix = f"install version {own}, or compare the board's file with version {version} and correct 'core' in it"
+    return [Finding(OTHER_FACTS, Severity.info, cause, _place(board.file, "core ="), fix=fix)]
+
+
+def constant_findings(board: Board, toolchain: Toolchain, folders: Sequence[Path]) -> list[Finding]:
+    """The pins in which a board's file contradicts the constants in the headers of its core, read without a compiler.
+
+    Args:
+        board: the board as its file has it.
+        toolchain: its data says which header of a core has numbers of pins.
+        folders: the folder of the core, and that of the board's variant.
+    """
+    header = toolchain.board_check.text("core_header", "")
+    core = [path for path in (folders[0] / header,) if path.is_file()] if header else []
+    named = _constants([*(file for folder in folders[1:] for file in sorted(folder.glob("*.h"))), *core])
+    found = []
+    for claim in board.claims():
+        asked = claim.label if _NUMBER.fullmatch(claim.ask) else claim.ask  # programs may write a pin's number without its name
+        told, own = _constant(asked, named), _constant(claim.answer, named)
+        if None not in (told, own) and told != own:
+            found.append(_contradiction(board, claim, str(told), folders[-1].name))
+    return found
+
+
+def _constants(headers: Sequence[Path]) -> dict[str, str]:
+    """Name -> text of the constants in headers and in those that these include; none that is defined in several ways."""
+    texts = [inputs.read_text(file, inputs.DATA, "utf-8", "replace") for file in headers]
+    for file, text in zip(headers, [*texts], strict=True):  # what a variant shares with others
+        shared = [(file.parent / name).resolve() for name in _INCLUDED.findall(text)]
+        texts += [inputs.read_text(path, inputs.DATA, "utf-8", "replace") for path in shared if path.is_file()]
+    found: dict[str, set[str]] = {}
+    for text in texts:
+        for macro, constant, value in _CONSTANT.findall(text):
+            found.setdefault(macro or constant, set()).add(value)
+    return {name: values.pop() for name, values in found.items() if len(values) == 1}
+
+
+def _constant(text: str, named: Mapping[str, str]) -> int | None:
+    """The number that a text is or, through constants, names; None for another text."""
+    for _ in range(_STEPS):
+        if (number := _NUMBER.fullmatch(text)) is not None:
+            return int(number[1], 0)
+        if text not in named:
+            return None
+        text = named[text]
+    return None
+
+
 # ---- what the core's headers say
 
 
@@ -87,13 +150,17 @@ def _pin_findings(
             continue
         others = zip(claim.choices, values[2:], strict=True)
         told = next((choice for choice, value in others if value == values[0]), "no such pin" if values[0] is None else values[0])
-        yield Finding(
-            OTHER_FACTS, Severity.error,
-            f"the file of the board '{board.name}' says that {claim.says}; in the core that programs are compiled with"
-            f" (variant '{board.values.get('variant', '')}') it is {told}",
-            _place(claim.file, claim.beside), fix=f"correct {claim.key} in that file, or give the matching variant",
-            evidence={"claim": claim.says, "core": str(told)},
-        )  # fmt: skip
+        yield _contradiction(board, claim, str(told), board.values.get("variant", ""))
+
+
+def _contradiction(board: Board, claim: Claim, told: str, variant: str) -> Finding:
+    return Finding(
+        OTHER_FACTS, Severity.error,
+        f"the file of the board '{board.name}' says that {claim.says}; in the core that programs are compiled with"
+        f" (variant '{variant}') it is {told}",
+        _place(claim.file, claim.beside), fix=f"correct {claim.key} in that file, or give the matching variant",
+        evidence={"claim": claim.says, "core": told},
+    )  # fmt: skip
 
 
 def _asked(claim: Claim) -> list[tuple[str, str]]:

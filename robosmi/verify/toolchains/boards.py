@@ -42,6 +42,7 @@ class Claim(NamedTuple):
         key: the key to correct.
         file: the board's file with it.
         beside: a text on the line of the statement.
+        label: the pin that it is about.
     """
 
     says: str
@@ -51,6 +52,7 @@ class Claim(NamedTuple):
     key: str
     file: Path | None
     beside: str
+    label: str = ""
 
 
 class Board(NamedTuple):

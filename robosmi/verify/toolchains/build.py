@@ -289,6 +289,8 @@ class Build(Struct):
                 unread = messages.assembler_findings(done.stderr, self.toolchain.messages, own)
                 return _with(report, undefined or unread or [messages.unread("linking", done.stderr)])
             self._run([*link, *self.toolchain.link.texts("measure")])
+        elif not elf.is_file():
+            return _with(report, [messages.unread("linking", f"'{link[0]}' ends without an error and makes no {elf.name}")])
         flash, ram = self._measure(elf) if elf.is_file() else (None, None)
         limits = (flash, self.board.flash_bytes), (ram or 0, self.board.ram_bytes)
         fits = not overflow and all(used is not None and (most is None or used <= most) for used, most in limits)

@@ -24,6 +24,8 @@ from robosmi.verify.toolchains.compile_report import (
 )
 
 _ERRORS = ("fatal error", "error", "sorry, unimplemented", "internal compiler error")
+_FAILURE = re.compile(r"error|\bcannot\b|no such file", re.IGNORECASE)
+"""What tools say first of a failure; that another program of theirs failed comes later."""
 _SEVERITY = {"warning": Severity.warning, **dict.fromkeys(_ERRORS, Severity.error)}
 
 
@@ -148,6 +150,6 @@ def unread(what: str, text: str) -> Finding:
         text: what the tool printed.
     """
     lines = [line for line in text.splitlines() if line.strip()]
-    told = next((line for line in lines if "error" in line.lower()), lines[0] if lines else "no message from the tool")
+    told = next((line for line in lines if _FAILURE.search(line)), lines[0] if lines else "no message from the tool")
     message = f"{what} failed: {told}"
     return Finding(COMPILER_ERROR, Severity.error, message, evidence={"output": lines[:20]})

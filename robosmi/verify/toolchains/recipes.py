@@ -96,6 +96,7 @@ class InstalledBoard(NamedTuple):
         stand_in: the name of the core that is not installed, if this one takes its place for checks; else empty.
         install: how that core is installed; else empty.
         lacking: what folders lack that were to be of that core; else empty.
+        version: of the core that builds.
     """
 
     board: Board
@@ -104,6 +105,7 @@ class InstalledBoard(NamedTuple):
     stand_in: str = ""
     install: str = ""
     lacking: str = ""
+    version: str = ""
 
 
 class DataRecipes:

@@ -17,7 +17,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, RobosmiError, SourceError, UsageError
 from robosmi.inputs import read_once
 from robosmi.plugins import content
-from robosmi.verify.toolchains.board_check import board_findings, size_findings
+from robosmi.verify.toolchains.board_check import board_findings, constant_findings, size_findings, version_finding
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
 from robosmi.verify.toolchains.compile_report import (
@@ -97,8 +97,8 @@ def _compiled(
     if (found := _board_without_data(sketch, boards, toolchain, board)) is not None:
         known = _without_options(found.board, boards, toolchain)
         report = _compiled_by_core(sketch, found._replace(board=known or found.board), toolchain, keep, project)
-        if known is None:
-            report = replace(report, diagnostics=(_no_data(found.board, sketch), *report.diagnostics))
+        told = [_no_data(found.board, sketch)] if known is None else _pins_and_version(known, found, toolchain)
+        report = replace(report, diagnostics=(*told, *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
     if changed is not None:
@@ -107,9 +107,9 @@ def _compiled(
     if chosen.architecture != toolchain.architecture:
         found = _by_its_core(chosen, toolchain)
         report = _compiled_by_core(sketch, found._replace(board=chosen), toolchain, keep, project)
-        told = (
-            size_findings(chosen, found.board) if found.board.name in chosen.full_names else []
-        )  # else a stand-in for any board
+        told = []
+        if found.board.name in chosen.full_names:  # else a stand-in for any board
+            told = [*_pins_and_version(chosen, found, toolchain), *size_findings(chosen, found.board)]
         report = replace(report, diagnostics=(*told, *report.diagnostics))
         return replace(report, seconds=time.perf_counter() - started)
     installed = find_installed(toolchain)
@@ -182,8 +182,16 @@ def _compiled_by_core(
         used = Finding(STAND_IN_USED, Severity.info, message, Location(str(sketch.main)), fix=found.install, evidence=evidence)
         found_there = tuple(_of_the_core(finding, sketch) for finding in report.diagnostics)
         report = replace(report, stand_in_core=found.stand_in, diagnostics=(used, *found_there))
-    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
-    return replace(report, diagnostics=diagnostics)
+    told = (_in_the_core(finding, found.recipes.core) for finding in report.diagnostics)
+    return replace(report, diagnostics=tuple(_with_offers(finding, toolchain, project) for finding in told))
+
+
+def _in_the_core(finding: Finding, core: Path) -> Finding:
+    """The finding; if a file of the core misses a header, with the advice to install the core again."""
+    place = finding.location
+    if finding.rule != MISSING_HEADER or place is None or not Path(place.path).is_relative_to(core / "cores"):
+        return finding
+    return replace(finding, fix="install the board's core again: a file of it is missing")
 
 
 def _of_the_core(finding: Finding, sketch: Sketch) -> Finding:
@@ -203,6 +211,12 @@ def _without_options(board: Board, boards: list[Board], toolchain: Toolchain) ->
             if name[:3] == plain and (own := set(",".join(name[3:]).split(",")) - {""}) <= given:
                 found.append((len(own), each))
     return max(found, key=lambda each: each[0])[1] if found else None
+
+
+def _pins_and_version(board: Board, found: InstalledBoard, toolchain: Toolchain) -> list[Finding]:
+    """What a board's file has otherwise than the core that builds its programs, but for sizes, which options may change."""
+    version = version_finding(board, found.version) if found.version else []
+    return [*version, *constant_findings(board, toolchain, found.recipes.core_folders)]
 
 
 def _no_data(board: Board, sketch: Sketch) -> Finding:

@@ -9,7 +9,10 @@ import pytest
 
 import robosmi
 from robosmi.metamodels.platform import Microcontroller
+from robosmi.transformations.chains.libraries import pin_library
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.verify.toolchains.boards import load_boards
 from tests.running import run
 from tests.tiers import one_of_each
@@ -76,6 +79,29 @@ def test_its_libraries_are_those_of_the_sketch_project(example: str, examples: P
         line.strip().removeprefix("- ") for line in lines[lines.index("    libraries:") + 1 :] if line.startswith("      - ")
     ]
     assert listed == [f"{name} @ {version.rstrip(')')}" for name, _, version in (line.partition(" (") for line in wanted)]
+
+
+def test_a_library_that_the_core_brings_is_not_listed_until_the_user_pins_it(tmp_path: Path) -> None:
+    """The Servo of the index has no RP2040, and would go before the one of the Pico's core."""
+    assert [brought_to(board) for board in ("pico", "zero", "uno")] == [["Servo"], [], []]
+    source, wiring = tmp_path / "turn.c", tmp_path / "wiring.csv"
+    source.write_text('#include "servo.h"\nint main(void) { servo_angle(3, 900); }\n')
+    wiring.write_text("pin,part,title\nGP3,Basic Servo,arm\n")
+    words = ("--target", "pico", "--hardware", wiring, "--bind", "P3=GP3", "--library", "arm=Servo")
+    assert run("migrate", source, *words, "-o", tmp_path / "out").code == 0
+    sketch = tmp_path / "out" / "turn"
+    assert "#include <Servo.h>" in (sketch / "turn.ino").read_text()
+    assert "lib_deps" not in settings(sketch / "platformio.ini")["env:pico"]
+    assert "Servo" not in (sketch / "sketch.yaml").read_text()
+    pin_library(tmp_path / "out", "Servo", "1.2.1")
+    assert settings(sketch / "platformio.ini")["env:pico"]["lib_deps"].split() == ["Servo", "@", "1.2.1"]
+
+
+def brought_to(board: str) -> list[str]:
+    """What the core of a board brings of a servo's library."""
+    facts = target_facts(board)
+    LibraryModels(facts, load_board(board)).get("Servo")
+    return [*facts.own_platform.coreLibraries]
 
 
 def test_the_files_are_named_for_what_they_are(tmp_path: Path) -> None:

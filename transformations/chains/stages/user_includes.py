@@ -92,6 +92,7 @@ def library_of(plan: migration.MigrationPlan, name: str) -> Any:
     models = LibraryModels(facts, plan.board)
     chosen = models.get(name)
     plan.target.libraries.extend(library for own, library in models.elements.items() if own not in known)
+    plan.target.coreLibraries.extend(facts.own_platform.coreLibraries)
     return Q(plan.target.libraries).select_one(lambda library: library.name == chosen.name)
 
 

@@ -84,10 +84,7 @@ class CoreRecipes:
         """A property of the core, expanded with some more properties."""
         text = self._properties.get(key)
         if text is None:
-            raise PlatformDataError(
-                f"the core {self.core_title} has no '{key}'", location=Location(str(self.core / "platform.txt")),
-                fix="install the core again, or another version",
-            )  # fmt: skip
+            raise self._damaged(f"the core {self.core_title} has no '{key}'")
         return expand(text, {**self._properties, **more})
 
     def _command(self, key: str, more: Mapping[str, str] = {}) -> Command:
@@ -97,11 +94,19 @@ class CoreRecipes:
         for name in (*own, *(name for word in words for name in unknown_names(word))):
             if name.startswith("runtime.tools."):
                 raise self._missing(name.removeprefix("runtime.tools.").removesuffix(".path"))
-            raise PlatformDataError(
-                f"'{key}' of the core {self.core_title} names '{{{name}}}', which nothing defines",
-                location=Location(str(self.core / "platform.txt")), fix="install the core again, or another version",
-            )  # fmt: skip
+            raise self._damaged(f"'{key}' of the core {self.core_title} names '{{{name}}}', which nothing defines")
         return [self._found(program), *words] if program else []
+
+    def _needed(self, key: str, more: Mapping[str, str] = {}) -> Command:
+        """The command of a recipe without which no program is built."""
+        command = self._command(key, more)
+        if not command:
+            raise self._damaged(f"the core {self.core_title} has no command in '{key}'")
+        return command
+
+    def _damaged(self, what: str) -> PlatformDataError:
+        place = Location(str(self.core / "platform.txt"))
+        return PlatformDataError(what, location=place, fix="install the core again, or another version")
 
     def _missing(self, tool: str) -> MissingToolError:
         own = f"install the core's tools: {install_command(self._core.vendor or 'VENDOR', self._core.architecture)}"
@@ -155,7 +160,7 @@ class CoreRecipes:
     def _compiler(self, source: Path, target: Path, includes: Sequence[Path]) -> Command:
         folders = " ".join(f'"-I{path}"' for path in (*self.core_folders, *includes))
         key = f"recipe.{_LANGUAGES.get(source.suffix, 'cpp')}.o.pattern"
-        return self._command(key, {"includes": folders, "source_file": str(source), "object_file": str(target)})
+        return self._needed(key, {"includes": folders, "source_file": str(source), "object_file": str(target)})
 
     def scan(self, source: Path, use: str, includes: Sequence[Path]) -> Command:
         """See `Recipes`."""
@@ -175,7 +180,7 @@ class CoreRecipes:
         """See `Recipes`: all objects by one command, where the recipe has the object as an argument of its own."""
         mark = "object-of-the-archive"
         places = {"build.path": str(archive.parent), "archive_file": archive.name, "archive_file_path": str(archive)}
-        command = self._command("recipe.ar.pattern", {**places, "object_file": mark})
+        command = self._needed("recipe.ar.pattern", {**places, "object_file": mark})
         if mark in command:
             at = command.index(mark)
             return [[*command[:at], *(str(path) for path in objects), *command[at + 1 :]]]
@@ -187,7 +192,7 @@ class CoreRecipes:
 
     def link(self, elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Command:
         """See `Recipes`."""
-        return self._command("recipe.c.combine.pattern", self._linked(elf, objects, libraries, core))
+        return self._needed("recipe.c.combine.pattern", self._linked(elf, objects, libraries, core))
 
     @staticmethod
     def _linked(elf: Path, objects: Sequence[Path], libraries: Sequence[Path], core: Path | None) -> Mapping[str, str]:
@@ -198,22 +203,22 @@ class CoreRecipes:
 
     def size(self, elf: Path) -> Command:
         """See `Recipes`."""
-        return self._command("recipe.size.pattern")
+        return self._needed("recipe.size.pattern")
 
     def sizes(self, printed: str) -> tuple[int, int | None]:
         """See `Recipes`: the sums of what the core's two regular expressions find."""
         data = "recipe.size.regex.data"
-        return self._sum("recipe.size.regex", printed), self._sum(data, printed) if self._properties.get(data) else None
+        flash = self._sum("recipe.size.regex", printed)
+        if not flash:
+            raise self._damaged(f"'recipe.size.regex' of the core {self.core_title} finds no sizes")
+        return flash, self._sum(data, printed) if self._properties.get(data) else None
 
     def _sum(self, key: str, printed: str) -> int:
         """The sum of the numbers that a regular expression of the core finds."""
         try:
             return sum(int(number) for number in re.findall(self._text(key), printed, re.MULTILINE))
         except (re.error, TypeError, ValueError) as error:  # no pattern, or not one group with a number
-            raise PlatformDataError(
-                f"'{key}' of the core {self.core_title} finds no sizes: {error}",
-                location=Location(str(self.core / "platform.txt")), fix="install the core again, or another version",
-            ) from error  # fmt: skip
+            raise self._damaged(f"'{key}' of the core {self.core_title} finds no sizes: {error}") from error
 
     def disassemble(self, elf: Path) -> Command | None:
         """See `Recipes`: there is no analysis for these processors."""

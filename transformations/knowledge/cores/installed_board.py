@@ -41,7 +41,7 @@ def installed_board(names: Sequence[str], toolchain: Toolchain) -> InstalledBoar
     flash, ram = recipes.limits
     board = Board(str(full), recipes.board_title, (str(full),), {}, (), flash, ram, architecture=full.architecture)
     if not core.stand_in:
-        return InstalledBoard(board, recipes, full.architecture)
+        return InstalledBoard(board, recipes, full.architecture, version=core.version)
     stand_in, why = f"{full.vendor}:{full.architecture}", ", ".join(filter(None, lacking(full)))
     return InstalledBoard(board, recipes, full.architecture, stand_in, how_to_install(full), why)
 

@@ -57,15 +57,20 @@ class TargetFacts:
         model: the target, loaded from the repository or from stored models.
         any_board: whether a drawing may have another board than the target's.
         full_name: the board's full name with the options of menus that were given; empty for the board as its data has it.
+        options_checked: whether the board's core is there, so that it has these options.
     """
 
-    def __init__(self, model: platform.Target, any_board: bool = False, full_name: str = "") -> None:
+    def __init__(
+        self, model: platform.Target, any_board: bool = False, full_name: str = "", options_checked: bool = True
+    ) -> None:
         if model.platform is None:
             raise PlatformDataError(f"the target '{model.name}' has no platform", fix="run migrate again")
         self.model = model
         self.any_board = any_board
         self.full_name = full_name
-        self._platform: platform.Platform = model.platform
+        self.options_checked = options_checked
+        self.own_platform: platform.Platform = model.platform
+        """The platform with its names, which a plan refers to."""
         self.shared = model.platform.names
         """All names that the platform shares with programs, also once a plan has kept some of them only."""
 
@@ -88,7 +93,7 @@ class TargetFacts:
     @property
     def platform(self) -> str:
         """Name of the platform."""
-        return str(self._platform.name)
+        return str(self.own_platform.name)
 
     @property
     def board_model(self) -> _Board:
@@ -109,7 +114,7 @@ class TargetFacts:
     @property
     def called(self) -> frozenset[str]:
         """All names of the target: the given one, the board's, and the board's full name in the platform's tools."""
-        mapped = [name for each in self._platform.boardMappings for name in (each.boardId, *each.otherIds) if name]
+        mapped = [name for each in self.own_platform.boardMappings for name in (each.boardId, *each.otherIds) if name]
         return frozenset({self.target, self.board, *mapped})
 
     @property
@@ -121,12 +126,12 @@ class TargetFacts:
     def architecture(self) -> str:
         """Architecture of the board's processor, as libraries declare it."""
         chip = self.model.board.microcontroller if self.model.board is not None else None
-        return str(chip.architecture if chip is not None else self._platform.architecture)
+        return str(chip.architecture if chip is not None else self.own_platform.architecture)
 
     @property
     def include(self) -> str:
         """Header that every program includes, or empty."""
-        return str(self._platform.mainHeader)
+        return str(self.own_platform.mainHeader)
 
     @property
     def libraries(self) -> str:
@@ -146,22 +151,22 @@ class TargetFacts:
     @cached_property
     def standard_headers(self) -> frozenset[str]:
         """C headers that the platform has."""
-        return frozenset(self._platform.standardHeaders)
+        return frozenset(self.own_platform.standardHeaders)
 
     @cached_property
     def own_headers(self) -> frozenset[str]:
         """The platform's own headers, in lower case: a program's header of the same name would replace it."""
-        return frozenset(name.lower() for name in (self._platform.mainHeader, *self._platform.ownHeaders))
+        return frozenset(name.lower() for name in (self.own_platform.mainHeader, *self.own_platform.ownHeaders))
 
     @cached_property
     def widths(self) -> Mapping[str, str]:
         """Type of the source by value -> type that holds the same values."""
-        return {w.sourceType: w.targetType for w in self._platform.widths}
+        return {w.sourceType: w.targetType for w in self.own_platform.widths}
 
     @cached_property
     def wider_names(self) -> Mapping[str, str]:
         """Function, type or macro of the standard library with an int in it -> its counterpart with the source's width."""
-        return {w.sourceType: w.targetType for w in self._platform.widerNames}
+        return {w.sourceType: w.targetType for w in self.own_platform.widerNames}
 
     @cached_property
     def names(self) -> TargetNames:
@@ -198,8 +203,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     made = _platform(_on(own, str(chip.architecture) if chip is not None else ""), table.text("platform"), project)
     made.boardMappings.append(load_mapping(table.text("platform"), board, project))
     full_name = target if _parts(target)[1] and target != made.boardMappings[0].boardId else ""
-    if full_name:
-        _choose_options(full_name, made.boardMappings[0], board)
+    checked = _choose_options(full_name, made.boardMappings[0], board) if full_name else True
     toolchain = table.text("toolchain", "")
     model = platform.Target(
         name=name,
@@ -214,7 +218,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
         projectFile=table.text("project_file", ""),
         libraryIndex=table.text("libraries", ""),
     )
-    return TargetFacts(model, table.flag("any_board", False), full_name)
+    return TargetFacts(model, table.flag("any_board", False), full_name, checked)
 
 
 def _ending(table: DataTable, key: str) -> str:
@@ -281,8 +285,11 @@ def _parts(full_name: str) -> tuple[str, frozenset[str]]:
     return ":".join(board), frozenset(filter(None, options.split(",")))
 
 
-def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Board) -> None:
+def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Board) -> bool:
     """Keep options of menus in the mapping, and what they change of the board as far as its core, if installed, says so.
+
+    Returns:
+        Whether the core is installed, so that it has these options.
 
     Raises:
         UsageError: the core has no such menu or option, or the options choose another board.
@@ -297,6 +304,7 @@ def _choose_options(full_name: str, mapping: platform.BoardMapping, board: _Boar
     if after.get(_CLOCK) != before.get(_CLOCK):
         board.clockHertz = int(after[_CLOCK].rstrip("ULul"))
         mapping.platformioSettings.append(f"board_build.f_cpu = {board.clockHertz}L")
+    return bool(after)
 
 
 def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None) -> DataTable:

@@ -8,7 +8,7 @@ command line asks the user.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cached_property
 
 from msgspec import Struct
@@ -20,7 +20,7 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import chosen_from_history
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
-from robosmi.transformations.knowledge.libraries.library_ranking import library_in, library_index
+from robosmi.transformations.knowledge.libraries.library_ranking import architecture_facts, library_in, library_index
 from robosmi.transformations.knowledge.libraries.library_takes import Takes, library_takes
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
@@ -65,6 +65,15 @@ class LibraryModels(Struct, dict=True):
         return library_takes(self.target.libraries, self.board)
 
     @cached_property
+    def of_core(self) -> Collection[str]:
+        """The libraries that the board's core brings; none for the platform's own core, with which those of the index work."""
+        made, chip = self.target.own_platform, self.board.microcontroller
+        mapped = (each for each in made.boardMappings if each.board is not None and each.board.name == self.board.name)
+        if chip is None or any(str(each.boardId).startswith(f"{made.coreName}:") for each in mapped):
+            return ()
+        return architecture_facts(self.target.libraries).brings.get(str(chip.architecture), ())
+
+    @cached_property
     def index(self) -> LibraryIndex:
         """The index of the target's libraries."""
         return library_index(self.target.libraries)
@@ -92,6 +101,8 @@ class LibraryModels(Struct, dict=True):
                     pins=list(takes.pins),
                     takesWhen=takes.when,
                 )
+                if name in self.of_core:
+                    self.target.own_platform.coreLibraries.append(name)
                 for needed in facts.dependencies:
                     self.get(needed.name)
         return self.elements[name]
