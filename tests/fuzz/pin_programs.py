@@ -25,7 +25,7 @@ class Program:
         self._scopes: list[list[str]] = [[]]  # variables that may be read and written
         self._functions: list[tuple[str, str]] = []  # with the text of a call, {} for each argument
         self._values: list[str] = []  # expressions of constants
-        self._loops = 0
+        self._calm = self._random.random() < 0.6  # variables change by loops and calls alone
 
     def text(self) -> str:
         """The program."""
@@ -83,13 +83,15 @@ class Program:
         forms = [
             f"{a} + {self._number(6)}", f"{a} - {self._number(3)}", f"({a} ^ {self._number(7)})", f"({a} | {self._number(7)})",
             f"({a} & {pick.choice((1, 3, 7, 15))})", f"({a} << 1)", f"({a} >> 1)", f"{a} % {pick.randint(2, 12)}",
-            f"{self._number(20) + 8} - {a}", f"({a} > {self._number()} ? {self._expression(depth - 1)} : {self._number()})",
+            f"{self._number(10) + 18} - {a}", f"({a} > {self._number()} ? {self._expression(depth - 1)} : {self._number()})",
             f"({pick.choice(_TYPES)})({a} + {pick.choice((0, 256, 65536, 3))})", f"{a} * {pick.randint(1, 3)}",
             f"(!{a} + {self._number()})", f"({a} == {self._number()}) + {self._number()}", f"(~{a} & 15)", f"-(-{a})",
             f"({self._effect()}, {a})", f"(int)sizeof({pick.choice(('int', 'char', 'short', a))}) + {self._number()}",
             f"\"{''.join(pick.choice('abcdefg') for _ in range(4))}\"[{a} & 3] - 'a' + {self._number()}",
         ]  # fmt: skip
-        if known:
+        if self._calm:
+            forms = [*forms[:6], *forms[8:10], forms[17]]
+        elif known:
             name = pick.choice(known)
             forms += [f"{name}++", f"++{name}", f"{name}--", f"({name} += {self._number(3)})", f"({name} = {self._number()})"]
         if self._functions:
@@ -105,7 +107,7 @@ class Program:
 
     def _effect(self) -> str:
         pick, known = self._random, self._variables()
-        if not known:
+        if not known or self._calm:
             return self._called() if self._functions else "0"
         name = pick.choice(known)
         return pick.choice(
@@ -159,6 +161,12 @@ class Program:
         self._scopes.append([] if pick.random() < 0.6 else [name])  # mostly read by the calls alone
         inside = self._block(depth) if pick.random() < 0.3 else self._block(1, f" {self._used(name)}{self._leave()}")
         self._scopes.pop()
+        if pick.random() < 0.25:
+            left = pick.choice((f" {self._used(name)}", f" if ({name} == {last}) {self._used(name)}", ""))
+            head = f"for ({name} = {first}; {name} < {last}; {name} += {step}) {inside}"
+            if up and pick.random() < 0.5:
+                return f"{{ {kind} {name}; {head}{left} }}"
+            return f"{{ {kind} {name} = {first - 1}; while (++{name} < {last}) {inside}{left} }}"
         outer = self._variables()
         if outer and pick.random() < 0.25:
             name = pick.choice(outer)
