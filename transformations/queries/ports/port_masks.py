@@ -361,6 +361,9 @@ class GivenValues:
             self._called(element, view)
         elif isinstance(element, ccode.Function):
             self._declared_function(element)
+        elif isinstance(element, ccode.For):
+            if element.range is not None and isinstance(element.declaration, ccode.DeclarationStatement):
+                self._each(element.declaration, element.range)
         elif isinstance(element, ccode.MemberInitializer):
             record = ancestor_of_kind(element, ccode.Record)
             for argument in element.arguments:
@@ -376,6 +379,12 @@ class GivenValues:
         around = function.eContainer()
         if str(function.name).startswith("operator") or (isinstance(around, ccode.Record) and function.name == around.name):
             self._unknown(function, function)
+
+    def _each(self, declaration: ccode.DeclarationStatement, values: ccode.Expression) -> None:
+        """Give the variable of a loop over a range the values of the range."""
+        for variable in declaration.declarations:
+            for one in leaves(values) if isinstance(variable, ccode.Variable) else ():
+                self._give(self._declared(variable), one, variable.valueType)
 
     def _fields(self, record: ccode.Record) -> None:
         keys = [MemberKey(str(field.name), record_key(record)) for field in record.fields]
