@@ -1,28 +1,35 @@
 """The page of a corpus: one static file with tables that sort and filter, charts, and a section for each program.
 
 It opens from a file. All data are in it as JSON, which the page's own script shows; nothing is loaded from elsewhere, which a
-content security policy ensures.
+content security policy ensures. Bar charts are SVG texts; their colours are classes of the page's style.
+
+The page also says what to do next: which missing bodies of functions would free most programs, and what stops programs. That is
+a greedy cover by sets: the next functions are all those that one more program lacks, namely the set that frees most programs for
+each function in it. Of equal sets the smaller comes first, then the one with more call sites.
 """
 
 from __future__ import annotations
 
 import base64
 import hashlib
+import math
 import os
-from collections import defaultdict
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from msgspec import Struct
+
 from robosmi import inputs
 from robosmi.base.data_text import json_of, json_written
-from robosmi.corpus.charts import bars, histogram
-from robosmi.corpus.next_steps import clusters, greedy_cover
 from robosmi.corpus.states import STATES
 from robosmi.corpus.store import Store
 from robosmi.files.files import write_atomic
 from robosmi.generate import Gen
-from robosmi.quoting import html_attribute
+from robosmi.quoting import html, html_attribute
 from robosmi.resources import built_in
 
 FILE = "index.html"
@@ -40,6 +47,11 @@ _STOPPED = (
     "UNION SELECT program FROM findings WHERE severity = 'error' AND NOT task"
 )
 """The programs that something else than a missing body stops."""
+
+_WIDTH, _BAR, _LABEL = 640, 20, 200
+
+_Function = tuple[str, str | None]
+"""Name, and the header that declares it, or None."""
 
 
 def write_report(store: Store, out: Path, folder: Path) -> Path:
@@ -77,9 +89,9 @@ def page(store: Store, out: Path, folder: Path) -> str:
         "index.html.j2",
         total=len(programs),
         counts=counts,
-        states=bars([(state, float(counts[state]), state) for state in STATES], "programs by state"),
+        states=_bars([(state, float(counts[state]), state) for state in STATES], "programs by state"),
         chosen=chosen,
-        best=bars([(each.function, float(each.calls), "plain") for each in chosen[:_SHOWN]], "call sites of missing bodies"),
+        best=_bars([(each.function, float(each.calls), "plain") for each in chosen[:_SHOWN]], "call sites of missing bodies"),
         lacking=len(open_programs),
         left_out=len(open_programs & stopped),
         shown=_NAMED,
@@ -173,3 +185,172 @@ def _text(name: str) -> str:
 
 def _hash(text: str) -> str:
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def _bars(rows: Sequence[tuple[str, float, str]], title: str) -> str:
+    """Horizontal bars.
+
+    Args:
+        rows: label, value and class of each bar.
+        title: what a screen reader reads.
+    """
+    most = max((value for _, value, _ in rows), default=0) or 1
+    parts = [f'<svg viewBox="0 0 {_WIDTH} {_BAR * len(rows)}" role="img" aria-label="{html(title)}" class="chart">']
+    for number, (label, value, kind) in enumerate(rows):
+        top, length = number * _BAR, (_WIDTH - _LABEL - 80) * value / most
+        parts.append(
+            f'<text x="{_LABEL - 6}" y="{top + 14}" text-anchor="end">{html(label[:34])}<title>{html(label)}</title></text>'
+            f'<rect x="{_LABEL}" y="{top + 3}" width="{max(length, 1):.1f}" height="{_BAR - 6}" class="{html(kind)}"/>'
+            f'<text x="{_LABEL + length + 5:.1f}" y="{top + 14}">{value:,g}</text>'
+        )
+    return "".join([*parts, "</svg>"])
+
+
+def histogram(values: Sequence[float], unit: str, title: str) -> str:
+    """How many values lie in each of up to ten ranges, whose bounds are 1, 2 or 5 times a power of ten apart.
+
+    Args:
+        values: what is counted.
+        unit: behind the bounds.
+        title: what a screen reader reads.
+    """
+    if not values:
+        return ""
+    most = max(values)
+    whole = all(value == int(value) for value in values)
+    width = _step(max(most / 10, 1.0 if whole else 0.0)) if most > 0 else 1.0
+    counts = [0] * (int(most / width) + 1)
+    for value in values:
+        counts[int(value / width)] += 1
+    rows = [(_range(number * width, width, whole, unit), float(count), "plain") for number, count in enumerate(counts)]
+    return _bars(rows, title)
+
+
+def _range(first: float, width: float, whole: bool, unit: str) -> str:
+    """The label of a range; its upper bound belongs to the next one."""
+    if not whole:
+        return f"{first:g} to below {first + width:g} {unit}".rstrip()
+    return f"{first:g} {unit}".rstrip() if width == 1 else f"{first:g} to {first + width - 1:g} {unit}".rstrip()
+
+
+def _step(least: float) -> float:
+    """The smallest number of 1, 2 and 5 times a power of ten that is not below."""
+    power = 10.0 ** math.floor(math.log10(least))
+    return next(step * power for step in (1, 2, 5, 10) if step * power >= least * (1 - 1e-9))
+
+
+class Missing(Struct, frozen=True):
+    """A function without a body, as the cover chooses it.
+
+    Attributes:
+        function: its name.
+        header: the header that declares it; None if nothing known does, so that a fact is missing, too.
+        calls: its call sites in all programs.
+        programs: number of programs that call it.
+        frees: the programs that lack nothing more once it and all before it have a body.
+        freed: the number of these for all chosen so far.
+    """
+
+    function: str
+    header: str | None
+    calls: int
+    programs: int
+    frees: Sequence[str]
+    freed: int
+
+
+def greedy_cover(lacks: Iterable[tuple[str, str, str | None, int]], most: int) -> list[Missing]:
+    """The functions to write next, best first.
+
+    Args:
+        lacks: program, function, header and number of calls, for each function that lacks a body.
+        most: number of functions that are chosen.
+    """
+    lacked: dict[str, set[_Function]] = defaultdict(set)
+    users: Counter[_Function] = Counter()
+    calls: Counter[_Function] = Counter()
+    for program, name, header, count in lacks:
+        function = (name, header)
+        users[function] += function not in lacked[program]
+        lacked[program].add(function)
+        calls[function] += count
+    left: dict[frozenset[_Function], list[str]] = defaultdict(list)
+    for program, functions in lacked.items():
+        left[frozenset(functions)].append(program)
+    chosen: list[Missing] = []
+    freed = 0
+    while left and len(chosen) < most:
+        best = _best(left, calls)
+        for function in sorted(best, key=lambda each: (-calls[each], each[0], each[1] or "")):
+            remaining: dict[frozenset[_Function], list[str]] = defaultdict(list)
+            for lacking, names in left.items():
+                remaining[lacking - {function}] += names
+            frees = sorted(remaining.pop(frozenset(), ()))
+            left = remaining
+            freed += len(frees)
+            chosen.append(Missing(*function, calls[function], users[function], frees, freed))
+    return chosen[:most]
+
+
+def _best(left: dict[frozenset[_Function], list[str]], calls: Counter[_Function]) -> frozenset[_Function]:
+    """The set of functions that frees most programs for each of its functions.
+
+    Args:
+        left: functions -> the programs that lack just these.
+        calls: call sites of each function.
+    """
+    shared = Counter(function for functions in left for function in functions)
+    with_rarest: dict[_Function, list[frozenset[_Function]]] = defaultdict(list)
+    for functions in left:  # a set lies within another only if its rarest function does
+        with_rarest[min(functions, key=lambda each: (shared[each], each[0], each[1] or ""))].append(functions)
+
+    def worth(functions: frozenset[_Function]) -> tuple[float, int, int, list[tuple[str, str]]]:
+        within = (inner for function in functions for inner in with_rarest.get(function, ()) if inner <= functions)
+        frees = sum(len(left[inner]) for inner in within)
+        names = sorted((name, header or "") for name, header in functions)
+        return -frees / len(functions), len(functions), -sum(calls[each] for each in functions), names
+
+    return min(left, key=worth)
+
+
+_QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
+_PLACE = re.compile(r"^(?:/|[A-Za-z]:\\)[^:\n]*(?::\d+)*: ")
+_NUMBER = re.compile(r"\d+(?:\.\d+)?")
+
+
+def kind_of_message(message: str) -> str:
+    """A message without what differs from program to program: its place, names in quotes, numbers."""
+    return _NUMBER.sub("N", _QUOTED.sub("'...'", _PLACE.sub("", message)))
+
+
+class Cluster(Struct):
+    """Programs that are stopped by the same.
+
+    Attributes:
+        state, step: where they ended.
+        kind: their messages without what differs.
+        programs: their number.
+        examples: the first few of them.
+    """
+
+    state: str
+    step: str
+    kind: str
+    programs: int = 0
+    examples: list[str] = []
+
+
+def clusters(stopped: Iterable[tuple[str, str, str | None, str | None]]) -> list[Cluster]:
+    """What stops programs, the most frequent first.
+
+    Args:
+        stopped: id, state, step and message of each program that is not done.
+    """
+    found: dict[tuple[str, str, str], Cluster] = {}
+    for program, state, step, message in stopped:
+        kind = kind_of_message(message or "")
+        cluster = found.setdefault((state, step or "", kind), Cluster(state, step or "", kind, examples=[]))
+        cluster.programs += 1
+        if len(cluster.examples) < 5:
+            cluster.examples.append(program)
+    return sorted(found.values(), key=lambda cluster: (-cluster.programs, cluster.kind))

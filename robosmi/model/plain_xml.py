@@ -21,8 +21,7 @@ from robosmi.errors import ModelError, did_you_mean
 from robosmi.files.files import read_input, write_atomic
 from robosmi.model.elements.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type, refuse_unknown_attribute
 from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
-from robosmi.model.xml_children import ChildList, LiveList, ReferredList
-from robosmi.model.xml_texts import checked, typed, written
+from robosmi.model.xml_features import ChildList, LiveList, ReferredList, checked, typed, written
 from robosmi.model.xml_tree import read_tree, root_offset
 
 if TYPE_CHECKING:

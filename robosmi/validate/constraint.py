@@ -1,6 +1,6 @@
 """The declarations of EVL: contexts with their constraints and critiques, the result of a failed check, fixes.
 
-A constraint is a function whose name is the constraint's. Declarations are independent of models; `evaluation` runs them on
+A constraint is a function whose name is the constraint's. Declarations are independent of models; `evl` runs them on
 some.
 """
 

@@ -4,13 +4,23 @@ What the user's files and the model's libraries call `x` is linked as the model'
 reach this machine's C library: what is not among the model's functions, nor among those that it lets through, ends the run with
 its name. As on the platform, a function of the program goes before the library's of the same name. Running it is
 `original_run`'s, what was covered `original_coverage`'s.
+
+A program that has other files than its own is refused: the compiler writes what it has read as a rule for `make`.
+
+Of the directives in the assembler text that a compiler makes, only those that compilers write are let through. The text may
+hold more than the compiler's own: assembler statements of the program, and the names, sections, identifications and file names
+that it gives, which a compiler copies as they are. Directives that read another file (`.incbin`, `.include`), or that could
+make such a directive from parts (`.macro`, `.irp`), are refused before the assembler runs.
+
+The assembler reads quotes in its own way: behind `.type x,` it takes one away, and the text ends at the next semicolon. So
+quotes are refused but in the few forms in which compilers write them, each a line of its own.
 """
 
 from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -18,7 +28,6 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.assembler_text import assembler_error, check_directives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.joined_objects import Counters, elf_at, joined, read_tool_file, rename
 from robosmi.verify.linked_names import PROGRAM_DATA, AllowedNames, check_linked, library_names, names_of
@@ -29,7 +38,6 @@ from robosmi.verify.toolchains.processes import in_parallel
 from robosmi.verify.toolchains.processor_time import HANGS, used_s
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.tools import run, tool_version
-from robosmi.verify.used_files import check_used, used_files
 
 _MESSAGE = re.compile(r"^(?P<path>[^\n:]+):(?P<line>\d+):(?:(?P<column>\d+):)? (?:fatal )?error: (?P<message>.*)$", re.MULTILINE)
 _IN_MACRO = re.compile(
@@ -47,6 +55,34 @@ _MOST_DATA = 1 << 24
 """Bytes of data of a program, some hundred times what its platform has."""
 VARIANT = "$"
 """Separator in the file name of a replacement for a header without a model; what follows it only makes names unique."""
+
+_PREREQUISITE = re.compile(r"(?:\\.|[^\s\\])+")
+_ESCAPED = re.compile(r"\\(.)")
+
+_NAME = r"[\w.$\x80-\xff]+"
+_TEXT = r'"(?:[^"\\]|\\.)*"'
+_DIRECTIVES = (
+    r"\.(?:file|loc|ident|text|data|bss|section|pushsection|popsection|previous|globl|global|local|weak|weakref|hidden|internal"
+    r"|protected|type|size|comm|lcomm|set|equ|align|p2align|balign|skip|space|zero|byte|value|short|word|hword|2byte|long|int"
+    r"|4byte|quad|8byte|octa|float|single|double|tfloat|ascii|asciz|string|uleb128|sleb128|symver|subsection|code32|cfi_\w+)"
+)
+_OPERANDS = r"[-\w.$,+@%()*: \t]*"
+_ORDINARY = re.compile(rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]{_OPERANDS})?|[a-z]\w*(?:[ \t]{_OPERANDS})?)?", re.ASCII)
+"""Nearly every line of a compiler; what others say is looked at statement by statement."""
+_QUOTED = re.compile(
+    rf"[ \t]*(?:\.(?:ascii|asciz|string|ident)[ \t]+{_TEXT}"
+    rf"|\.file[ \t]+(?:\d+[ \t]+)?{_TEXT}(?:[ \t]+{_TEXT})?(?:[ \t]+md5[ \t]+0x[\da-f]+)?"
+    rf'|\.(?:push)?section[ \t]+[-\w.$\x80-\xff]+,[ \t]*"[\w?]*"(?:,[@%]\w+(?:,{_NAME})*)?'
+    r'|#[ \t]*\d+[ \t]+"[^"\\;]*"(?: \d)?)[ \t]*',  # a place in the program, as comment
+    re.ASCII,
+)
+"""The lines with quotes."""
+_LABEL = re.compile(rf"[ \t]*{_NAME}[ \t]*:", re.ASCII)
+_ASSIGNMENT = re.compile(rf"[ \t]*{_NAME}[ \t]*=", re.ASCII)
+_WORD = re.compile(r"[ \t]*(?:(\.?[A-Za-z_\d][\w.]*)|$)", re.ASCII)
+_NEVER = re.compile(r"\.\s*(?:incbin|include|macro|irpc?|rept|altmacro)\b", re.ASCII | re.IGNORECASE)
+_SIGNS = ('"', "'", "/*", "\\", "\r", "\f", "\v", "\0")
+"""Signs with which the assembler would read the rest of a line in another way than here."""
 
 
 class OriginalProgram(Struct, frozen=True):
@@ -182,13 +218,13 @@ class _Build(Struct, dict=True):
         self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", "-x", _language(source), str(source), "-o", str(text))
         included = self._files_of(used)
         if self.only is not None:
-            check_used(included, self.only, (self.folder, *self.model.headers))
+            _check_used(included, self.only, (self.folder, *self.model.headers))
         check_directives(read_tool_file(text).decode("latin-1"))
         read = [word for each in ("--MD", str(used)) for word in ("-Xassembler", each)]
         self._run("command", *self._flags("machine"), *read, "-c", str(text), "-o", str(target))
         for path in self._files_of(used):  # it also lists the names of sources in the text, which it does not open
             if path not in (text, self.folder / source.name, *included):
-                raise assembler_error(path.name)
+                raise _assembler_error(path.name)
 
     def _files_of(self, rule: Path) -> list[Path]:
         return list(used_files(read_tool_file(rule).decode("utf-8", "surrogateescape"), self.folder))
@@ -374,3 +410,77 @@ def _environment() -> dict[str, str]:
 def compiler_version(path: str) -> str:
     """The version that a compiler tells, `unknown` if it tells none."""
     return tool_version(path, ["--version"])
+
+
+def used_files(rule: str, folder: Path) -> Iterator[Path]:
+    """The files that a rule names after its target.
+
+    Args:
+        rule: the text of the rule.
+        folder: where the compiler ran.
+    """
+    for word in _PREREQUISITE.findall(rule.partition(": ")[2].replace("\\\n", " ")):
+        yield (folder / _ESCAPED.sub(r"\1", word).replace("$$", "$")).resolve()
+
+
+def _check_used(used: Iterable[Path], only: Collection[Path], places: Collection[Path]) -> None:
+    """Check that a program consists of no other files than it may.
+
+    Args:
+        used: the files that the compiler has read.
+        only: the program's own.
+        places: folders of the model, whose files any program may include.
+
+    Raises:
+        VerificationError: it has read another one.
+    """
+    for path in used:
+        if path not in only and not any(path.is_relative_to(place) for place in places):
+            raise VerificationError(
+                f"the plan does not store a file that the original includes: {path}", fix="migrate the program again"
+            )
+
+
+def check_directives(text: str) -> None:
+    """Check the text that a compiler has made of a program.
+
+    Args:
+        text: the assembler text, a character for each byte.
+
+    Raises:
+        VerificationError: it has a directive, or a form of text, that no compiler writes.
+    """
+    suspicious = _NEVER.search(text) is not None
+    for line in text.split("\n"):
+        if (suspicious or not _ORDINARY.fullmatch(line)) and not _QUOTED.fullmatch(line):
+            _check_line(line)
+
+
+def _check_line(line: str) -> None:
+    if never := _NEVER.search(line):
+        raise _assembler_error(never[0])
+    for sign in _SIGNS:
+        if sign in line:
+            raise _assembler_error(sign)
+    for statement in line.partition("#")[0].split(";"):  # the rest is a comment
+        _check_statement(statement)
+
+
+def _check_statement(statement: str) -> None:
+    while label := _LABEL.match(statement):
+        statement = statement[label.end() :]
+    if _ASSIGNMENT.match(statement):
+        return
+    word = _WORD.match(statement)
+    if word is None:
+        raise _assembler_error(statement)
+    if word[1] and word[1].startswith(".") and not re.fullmatch(_DIRECTIVES, word[1], re.ASCII):
+        raise _assembler_error(word[1])
+
+
+def _assembler_error(what: str) -> VerificationError:
+    """The error for assembler text that is not compiled."""
+    return VerificationError(
+        f"the program has assembler text that cannot be compiled on this machine: {what.strip()!r}",
+        fix="remove assembler text from the program",
+    )

@@ -65,8 +65,7 @@ QUERIES = [
 def grow(count: int, target: Path) -> None:
     """Write an index of that many libraries."""
     from robosmi.recommend.index import FIELDS
-    from robosmi.recommend.index_writer import write_index
-    from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
+    from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, write_index
     from robosmi.transformations.knowledge.libraries.library_ranking import library_index
 
     index, chance = library_index(), random.Random(1)

@@ -15,7 +15,7 @@ import robosmi
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files import commit
 from robosmi.transformations.chains import generate as generate_chain
-from robosmi.transformations.chains.stages import written_output
+from robosmi.transformations.chains.stages import output
 from robosmi.transformations.m2m import plan_tasks
 from tests.running import Outcome, run, tree
 
@@ -198,7 +198,7 @@ def test_an_edit_while_the_run_is_at_work_stops_it(
         update(folder, *rest)
 
     before: dict[str, str] = {}
-    monkeypatch.setattr(written_output, "update", slow)
+    monkeypatch.setattr(output, "update", slow)
     change_program(line_follower)
     told = r"changed (during the run|since the last run)"  # the latter where the run begins anew
     with pytest.raises(StoppedError, match=told):

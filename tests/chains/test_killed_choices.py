@@ -20,7 +20,7 @@ from robosmi.files.commit import commit, update
 from robosmi.files.recovery import interrupted, recover
 from robosmi.generate.undo import undo
 from robosmi.transformations.chains.choose import choose
-from robosmi.transformations.chains.stages import written_output
+from robosmi.transformations.chains.stages import output
 from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
 from tests.tiers import sample
@@ -107,7 +107,7 @@ def test_a_killed_choice_is_whole_or_not_at_all(begun: str, data: Path, robot: P
         update(folder, *arguments)
 
     before = state()
-    monkeypatch.setattr(written_output, "update", all_points)
+    monkeypatch.setattr(output, "update", all_points)
     choose(out, {"eye": "D9"})
     after = state()
     assert 'eye = "D9"' in after[1]

@@ -22,7 +22,7 @@ from mcp.client.stdio import StdioServerParameters, stdio_client
 from mcp_types import jsonrpc_message_adapter
 from pydantic import ValidationError
 
-from robosmi.cli import landlock, seccomp
+from robosmi.cli import confined, landlock
 from robosmi.cli.mcp_commands import Commands
 from robosmi.cli.mcp_tools import Tools, answer_to, make_server
 from robosmi.cli.root_folder import RootFolder
@@ -408,7 +408,7 @@ def test_landlock_holds_a_process_and_what_it_starts(tmp_path: Path) -> None:
     program = """
 import os, subprocess, sys
 from pathlib import Path
-from robosmi.cli import landlock, seccomp
+from robosmi.cli import landlock
 inside, outside = Path(sys.argv[1]), Path(sys.argv[2])
 system = [(Path(name), landlock.RUN) for name in ("/usr", "/lib", "/lib64", "/bin")]
 landlock.restrict([(inside, landlock.WRITE), *system])
@@ -432,9 +432,9 @@ print(done.stdout)
 
 CONFINED = """
 import ctypes, os, socket, sys
-from robosmi.cli import landlock, seccomp
+from robosmi.cli import confined, landlock
 landlock.restrict([])
-seccomp.deny_sockets()
+confined.deny_sockets()
 acts = {kind.name: lambda kind=kind: socket.socket(kind, socket.SOCK_DGRAM) for kind in socket.AddressFamily if kind}
 keys = ctypes.CDLL(None, use_errno=True)
 
@@ -455,7 +455,7 @@ for name, act in acts.items():
 
 def test_a_confined_process_makes_no_socket_and_signals_nobody() -> None:
     require_landlock()
-    if not seccomp.is_known():
+    if not confined.can_deny_sockets():
         pytest.skip("no filter of system calls is known for this machine")
     root = Path(__file__).parents[2]
     done = subprocess.run([sys.executable, "-c", CONFINED], capture_output=True, text=True, cwd=root, check=False)
@@ -466,13 +466,13 @@ def test_a_confined_process_makes_no_socket_and_signals_nobody() -> None:
 
 def test_a_program_of_another_word_size_makes_no_socket_either(tmp_path: Path) -> None:
     require_tools("gcc")
-    if not seccomp.is_known():
+    if not confined.can_deny_sockets():
         pytest.skip("no filter of system calls is known for this machine")
     source = tmp_path / "makes_a_socket.c"
     source.write_text("#include <sys/socket.h>\nint main(void) { return socket(1, 1, 0) < 0 ? 7 : 8; }\n")
     if subprocess.run(["gcc", "-m32", "-static", str(source), "-o", str(tmp_path / "a")], check=False).returncode:
         pytest.skip("the compiler makes no programs of 32 bits")
-    program = "import os, sys\nfrom robosmi.cli import seccomp\nseccomp.deny_sockets()\nos.execv(sys.argv[1], sys.argv[1:])"
+    program = "import os, sys\nfrom robosmi.cli import confined\nconfined.deny_sockets()\nos.execv(sys.argv[1], sys.argv[1:])"
     words = [sys.executable, "-c", program, str(tmp_path / "a")]
     assert subprocess.run([str(tmp_path / "a")], check=False).returncode == 8
     assert subprocess.run(words, cwd=Path(__file__).parents[2], check=False).returncode == 7

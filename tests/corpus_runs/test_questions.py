@@ -12,8 +12,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from robosmi.corpus.charts import histogram
-from robosmi.corpus.next_steps import clusters, greedy_cover, kind_of_message
+from robosmi.corpus.report import clusters, greedy_cover, histogram, kind_of_message
 from robosmi.corpus.schema import TABLES
 from robosmi.errors import SourceError
 from tests.corpus_runs.running_corpora import copied, rows

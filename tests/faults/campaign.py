@@ -29,9 +29,8 @@ from robosmi.transformations.chains.verify import FOLDER, Verified, board_of, st
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
-from robosmi.transformations.verification.judgement.scenario_verdicts import Case, looked_at_again
+from robosmi.transformations.verification.judgement.scenario_verdicts import Case, hangs_on_a_pass, looked_at_again
 from robosmi.transformations.verification.judgement.verdict import verdict_of
-from robosmi.transformations.verification.loop_pass import hangs_on_a_pass
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.scenario import Scenario, read_scenario

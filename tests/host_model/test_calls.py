@@ -8,7 +8,7 @@ import pytest
 
 from robosmi.transformations.verification.originals import original_program
 from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_calls import library_calls
+from robosmi.verify.host_original import library_calls
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import run_original
 from tests.host_model.bench import built

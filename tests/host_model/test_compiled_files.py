@@ -9,8 +9,8 @@ import pytest
 
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification.originals import original_program
+from robosmi.verify.original_build import used_files
 from robosmi.verify.original_run import run_original
-from robosmi.verify.used_files import used_files
 from tests.host_model.bench import model, said
 from tests.tools import require_tools
 

@@ -14,9 +14,9 @@ import pytest
 
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.verify import original_run
+from robosmi.verify.host_original import with_place
 from robosmi.verify.original import Variation
 from robosmi.verify.original_build import build_original
-from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage, reached
 from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse

@@ -11,11 +11,11 @@ import pytest
 import yaml
 
 from robosmi.base.located_json import MOST_LEVELS, located_json
-from robosmi.base.located_yaml import YamlError, located_yaml
 from robosmi.errors import MissingToolError, ModelError, RobosmiError
 from robosmi.model import Session
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
+from robosmi.model.xmi.json_parser import YamlError, located_yaml
 from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.model.kitchen import FOLDER as XMI, kitchen
 from tests.running import run

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.errors import VerificationError
-from robosmi.verify.assembler_text import check_directives
+from robosmi.verify.original_build import check_directives
 
 WRITTEN = r"""
 	.file	"a;b.c"

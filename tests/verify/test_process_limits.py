@@ -11,8 +11,7 @@ import pytest
 from robosmi import inputs
 from robosmi.errors import VerificationError
 from robosmi.verify.toolchains import tools
-from robosmi.verify.toolchains.process_limits import FILE_MB, MEMORY_MB, PROCESSOR_S, exceeded
-from robosmi.verify.toolchains.tools import run
+from robosmi.verify.toolchains.tools import FILE_MB, MEMORY_MB, PROCESSOR_S, exceeded, run
 from tests.tiers import sample
 from tests.tools import require_tools
 

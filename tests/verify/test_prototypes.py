@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.verify.toolchains.prototypes import with_prototypes
+from robosmi.verify.toolchains.sketch import with_prototypes
 from tests.running import run
 
 

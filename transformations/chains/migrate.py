@@ -32,8 +32,8 @@ from robosmi.transformations.chains.retained_program import RetainedProgram, new
 from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
 from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
+from robosmi.transformations.chains.stages.edited_plan import import_choices
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
-from robosmi.transformations.chains.stages.import_choices import import_choices
 from robosmi.transformations.chains.stages.models import MigrationModels
 from robosmi.transformations.chains.stages.moving import Moving, merged_choices
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
@@ -58,15 +58,14 @@ from robosmi.transformations.chains.stages.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.constraints.plan_ports import port_faults
-from robosmi.transformations.knowledge.adapters.adapter_pins import AdapterPins
+from robosmi.transformations.knowledge.adapters.adapter_index import AdapterPins
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
-from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
+from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice, set_console_wait
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
 from robosmi.transformations.m2m.circuits.connector_mapping import rename_clashes
-from robosmi.transformations.m2m.circuits.motor_channels import drawn_kinds
-from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
+from robosmi.transformations.m2m.circuits.driven_devices import drawn_kinds, set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, judge_program, put_together
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
@@ -346,8 +345,6 @@ def models(
     plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
     plan.bench = bench
     if settings.console_wait_ms is not None:
-        from robosmi.transformations.m2m.adapters.console_wait import set_console_wait  # few projects set it
-
         set_console_wait(emitted(plan), settings.console_wait_ms)
     said_pins = pins_of_project(settings, target).pins
     flags, project = {"bind": bind, "libraries": libraries}, {"bind": said_pins, "libraries": settings.libraries}

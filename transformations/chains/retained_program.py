@@ -64,8 +64,7 @@ def retained_program(
     from robosmi.transformations.m2m.sketches.retained_platform import retain_platform
     from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch
     from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
-    from robosmi.transformations.queries.portability.places import portability
-    from robosmi.transformations.queries.portability.unknown_arguments import unknown_arguments
+    from robosmi.transformations.queries.portability.places import portability, unknown_arguments
 
     move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
     places = [*portability(program.views, facts, move, program.copies), *unknown_arguments(program.views, move)]

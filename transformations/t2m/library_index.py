@@ -26,9 +26,8 @@ from robosmi.base.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.files.packed_lines import packed_lines
-from robosmi.recommend.index_writer import write_index
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi
-from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
+from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, write_index
 from robosmi.transformations.knowledge.platforms.api_spelling import spelled
 from robosmi.transformations.t2m.library_rows import LibraryRow
 

@@ -1,24 +1,31 @@
 """Compiles a migrated program for what runs it: for its board, or for this computer with the model of the Arduino API.
 
-The second is for boards whose microcontroller no simulator has (`api` in platform_repo/simulation/api.toml). Then the board's own
-core compiles the program, too, if it is installed: it alone tells whether the program is one of the board.
+The second is for boards whose microcontroller no simulator has (`api` in platform_repo/simulation/api.toml). Then the board's
+own core compiles the program, too, if it is installed: it alone tells whether the program is one of the board.
+
+The model's core is `platform_repo/arduino/api_model`; its comments say how a program is isolated from this computer. What
+differs from board to board are properties of the build.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 from robosmi import resources
 from robosmi.base.data_tables import DataTable
 from robosmi.errors import MissingToolError, SourceError, UsageError
+from robosmi.resources import built_in
 from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapping_file
-from robosmi.transformations.knowledge.cores.api_model import api_board
+from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName
+from robosmi.transformations.knowledge.cores.core_recipes import CoreRecipes
 from robosmi.transformations.verification.jobs import api_facts, pins_and_inputs
 from robosmi.verify.simulation import engine_for
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.recipes import InstalledBoard
 from robosmi.verify.toolchains.sketch import choose_board, find_sketch
 from robosmi.verify.toolchains.toolchain import compile_by, compile_sketch
 from robosmi.verify.toolchains.toolchain_data import Toolchain
@@ -37,6 +44,10 @@ _MOST_PINS = 32
 _BUS_LINES = ("SDA", "SCL", "SCK", "MOSI", "MISO")
 _NO_NUMBER = -1
 _INPUT = re.compile(r"A\d+")
+
+_TEXTS = "stand_ins/hardware/rp2040/rp2040/cores/rp2040"
+"""The folder with what its texts and streams consist of."""
+_NAME = BoardName("robosmi", "api", "board")
 
 
 class RunnableProgram(NamedTuple):
@@ -77,7 +88,7 @@ def compile_to_run(output: Path, keep: Path) -> RunnableProgram:
             return RunnableProgram(report, AT_THE_API)
     except MissingToolError as error:
         not_compiled = error.message
-    own = compile_by(output, api_board(board, _properties(board, toolchain), toolchain), keep=keep)
+    own = compile_by(output, _api_board(board, _properties(board, toolchain), toolchain), keep=keep)
     lacking = "" if own.ok else f"the model of the Arduino API cannot run the program: {_first_error(own)}"
     return RunnableProgram(own, AT_THE_API, not_compiled, lacking)
 
@@ -139,3 +150,21 @@ def _architecture(board: Board, toolchain: Toolchain) -> DataTable:
     """What the platform says of the processors of a board's architecture."""
     path = resources.find("platform_repo", f"{toolchain.platform}/platform.toml")
     return DataTable.read(path).table("architectures").table(board.architecture)
+
+
+def _api_board(board: Board, properties: Mapping[str, str], toolchain: Toolchain) -> InstalledBoard:
+    """A board as the model of the Arduino API builds its programs.
+
+    Args:
+        board: the board.
+        properties: what its programs have to know of it: `api.flags` and `api.defines`, arguments of the compiler.
+        toolchain: the toolchain of the sketch.
+
+    Raises:
+        MissingToolError: the compiler is not installed.
+    """
+    core = ArduinoCore(built_in("platform_repo") / "arduino" / "api_model", _NAME.vendor, _NAME.architecture, None)
+    recipes = CoreRecipes(core, _NAME, toolchain, properties)
+    recipes.board_folders = [core.folder / "chip", core.folder.parent / _TEXTS]
+    own = Board(board.name, board.title, board.full_names, {}, (), None, None, architecture=board.architecture)
+    return InstalledBoard(own, recipes, board.architecture)

@@ -2,26 +2,32 @@
 
 As in EMF Compare and git, what only one of the two changed is taken, and what both changed in the same way, too. A conflict is a
 value, a place or an order that both changed in different ways, and an element that one removed and the other changed.
+
+`PlacesMerge` decides which elements the merged model has, where, and in which order; `FeaturesMerge` which values and references
+they have.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from robosmi.base.quantities import quantity
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import ModelError
 from robosmi.model.comparison.comparison import opened_models, refuse_others
 from robosmi.model.comparison.conflicts import ConflictList, Side, lines_of
-from robosmi.model.comparison.merged_features import FeaturesMerge
+from robosmi.model.comparison.facts import follows, is_compared
+from robosmi.model.comparison.merged_lists import merged_members, merged_order, replaced_twice
 from robosmi.model.comparison.merged_model import MergeDecisions, merge_into
-from robosmi.model.comparison.merged_places import PlacesMerge
-from robosmi.model.comparison.versions import A, B, ThreeModels
+from robosmi.model.comparison.versions import BASE, A, B, Place, ThreeModels, Versions, texts_of
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
+from robosmi.model.elements.features import opposite
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Paths
+from robosmi.model.xmi.xmi_layout import DETAILS, LINKS, Column
 from robosmi.model.xmi.xmi_reader import FOREIGN
 
 _SIDES: Mapping[str | None, int | None] = {"a": A, "b": B, None: None}
@@ -123,3 +129,307 @@ def _places(a: EmfModel, conflicts: ConflictList, is_as_read: bool) -> list[Loca
     is_plain = is_as_read and not any(finding.rule == FOREIGN for finding in a.findings)  # else children would be miscounted
     lines = lines_of(conflicts.in_a, a.path) if is_plain and conflicts.all else [None] * len(conflicts.all)
     return [Location(str(a.path), line) for line in lines]
+
+
+class FeaturesMerge:
+    """The merge of values and references, when it is decided which elements exist.
+
+    Args:
+        three: the models.
+        conflicts: receives the conflicts.
+        merged: receives what was decided.
+    """
+
+    def __init__(self, three: ThreeModels, conflicts: ConflictList, merged: MergeDecisions) -> None:
+        self._three, self._conflicts, self._merged = three, conflicts, merged
+
+    def decide(self) -> None:
+        """Decide the values of all features that are not as the first model has them."""
+        self._decide_features()
+        self._decide_claims()
+
+    def _decide_features(self) -> None:
+        for each in self._three.all:
+            if not each.exists:
+                continue
+            for column in self._three.columns(each).values():
+                if not is_compared(column):
+                    continue
+                if follows(column):
+                    self._decide_order(each, column)
+                elif each.elements[A] is None:
+                    self._set(each, column, self._three.values(B, each, column))
+                elif each.elements[B] is not None:
+                    self._decide_feature(each, column)
+
+    def _set(self, versions: Versions, column: Column, values: Mapping[Hashable, Any]) -> None:
+        kept = {key: value for key, value in values.items() if not isinstance(key, Versions) or key.exists}
+        self._merged.features.append((versions, column, kept))
+
+    def _decide_order(self, versions: Versions, column: Column) -> None:
+        """Order the ends of a reference that follows from its opposite."""
+        base, a, b = (list(self._three.values(side, versions, column)) for side in (BASE, A, B))
+        has_order = column.many and column.feature.ordered and None not in versions.elements[A:]
+        if has_order and merged_order(base, a, b, set(a) & set(b)) is None:
+            self._conflicts.differ(versions, column)
+        self._merged.orders.append((versions, column, (base, a, b)))
+
+    def _decide_feature(self, versions: Versions, column: Column) -> None:
+        """Merge the values of a feature of an element that both models have."""
+        one, other = (self._three.values(side, versions, column) for side in (A, B))
+        ones, others = texts_of(one, column), texts_of(other, column)
+        if ones == others:
+            return
+        same = self._same_as_base(A, versions, column, ones), self._same_as_base(B, versions, column, others)
+        if same == (True, True):  # what one of them removed may stay
+            self._set(versions, column, self._three.values(BASE, versions, column) or other or one)
+        elif same[0]:
+            self._set(versions, column, one if _is_lost(column, other) else other)
+        elif same[1]:
+            if _is_lost(column, one):
+                self._set(versions, column, other)
+        elif column.kind == DETAILS:
+            self._merge_pairs(versions, column, one, other)
+        elif column.many:
+            self._merge_values(versions, column, one, other)
+        else:
+            self._conflicts.differ(versions, column)
+            if self._merged.prefer == B:
+                self._set(versions, column, other)
+
+    def _same_as_base(self, side: int, versions: Versions, column: Column, texts: Hashable) -> bool:
+        """Whether a model did not change a feature itself; the end of a reference may be gone because it was removed."""
+        if versions.elements[BASE] is None:
+            default = not column.many and column.kind not in (LINKS, DETAILS)
+            values = self._three.values(side, versions, column)
+            return not values or (default and list(values.values()) == [column.default])
+        before = self._three.values(BASE, versions, column)
+        return texts in (texts_of(before, column), texts_of(self._three.remaining(side, versions, column), column))
+
+    def _merge_pairs(
+        self, versions: Versions, column: Column, one: Mapping[Hashable, Any], other: Mapping[Hashable, Any]
+    ) -> None:
+        """Merge pairs of texts, key by key."""
+        before = self._three.values(BASE, versions, column)
+        found: dict[Hashable, Any] = {}
+        for key in dict.fromkeys([*one, *other]):
+            was, mine, theirs = before.get(key), one.get(key), other.get(key)
+            if was not in (mine, theirs) and mine != theirs:
+                self._conflicts.differ(versions, column)
+            value = theirs if mine == was or (self._merged.prefer == B and theirs != was) else mine
+            if value is not None:
+                found[key] = value
+        self._set(versions, column, dict(sorted(found.items(), key=str)))
+
+    def _merge_values(
+        self, versions: Versions, column: Column, one: Mapping[Hashable, Any], other: Mapping[Hashable, Any]
+    ) -> None:
+        """Merge a list that both models changed."""
+        before = self._three.values(BASE, versions, column)
+        here = {key: value for key, value in before.items() if not isinstance(key, Versions) or key.exists}
+        members = merged_members(before, one, other) | {key for key in here if self._stays(key, one, other)}
+        lists = list(before), list(one), list(other)
+        order = merged_order(*lists, members)
+        is_full = max(map(len, lists)) <= column.upper < len(members)
+        if order is None or is_full or replaced_twice(here, one, other):
+            self._conflicts.differ(versions, column)
+            order = list(other if self._merged.prefer == B else one)
+        both = {**other, **one}
+        self._set(versions, column, {key: both[key] for key in order or ()})
+
+    def _stays(self, key: Hashable, one: Mapping[Hashable, Any], other: Mapping[Hashable, Any]) -> bool:
+        """Whether an end of a reference is missing only where the element itself is."""
+        return isinstance(key, Versions) and all(
+            key in values or key.elements[side] is None for side, values in ((A, one), (B, other))
+        )
+
+    def _decide_claims(self) -> None:
+        """Find elements at the one end of a reference that two elements shall have at its other end."""
+        claims: dict[tuple[Versions, Column], list[Versions]] = {}
+        chosen = {(versions, column.name): values for versions, column, values in self._merged.features}
+        for each in self._three.all:
+            for column in self._three.columns(each).values() if each.exists else ():
+                if column.kind == LINKS and not column.many and not follows(column) and _is_one(column):
+                    values = chosen.get((each, column.name))
+                    for end in self._three.values(A, each, column) if values is None else values:
+                        if isinstance(end, Versions):
+                            claims.setdefault((end, column), []).append(each)
+        for (end, column), claimants in claims.items():
+            if len(claimants) > 1:
+                claiming = [self._claiming(side, end, column, claimants) for side in (BASE, A, B)]
+                other = opposite(column.feature)
+                assert other is not None
+                self._conflicts.claim(end, str(other.name), claiming)
+                for each in claimants:
+                    if end not in self._three.values(self._merged.prefer, each, column):
+                        self._set(each, column, {})
+
+    def _claiming(self, side: int, end: Versions, column: Column, claimants: Sequence[Versions]) -> Versions | None:
+        """The element whose reference leads to an end in a model."""
+        return next((each for each in claimants if end in self._three.values(side, each, column)), None)
+
+
+def _is_lost(column: Column, values: Mapping[Hashable, Any]) -> bool:
+    """Whether the one end of a reference is no element of the merged model."""
+    return not column.many and any(isinstance(end, Versions) and not end.exists for end in values)
+
+
+def _is_one(column: Column) -> bool:
+    other = opposite(column.feature)
+    return other is not None and not other.many
+
+
+class PlacesMerge:
+    """The merge of what models contain: removed, moved and added elements.
+
+    Args:
+        three: the models.
+        conflicts: receives the conflicts.
+        merged: receives what was decided.
+        take: the model that wins conflicts, 1 or 2; None for none.
+    """
+
+    def __init__(self, three: ThreeModels, conflicts: ConflictList, merged: MergeDecisions, take: int | None) -> None:
+        self._three, self._conflicts, self._merged, self._take = three, conflicts, merged, take
+        self._new_ends = {side: self._newly_referred(side) for side in (A, B)}
+
+    def decide(self) -> None:
+        """Decide `exists`, `container` and `feature` of all elements, and the order of contents."""
+        for side, other in ((A, B), (B, A)):
+            self._decide_removals(side, other)
+        self._decide_places()
+        self._decide_contents()
+
+    # --- removed elements
+
+    def _newly_referred(self, side: int) -> set[Versions]:
+        """The elements that a model has references to which the base has not."""
+        found: set[Versions] = set()
+        for each in self._three.all:
+            if each.elements[side] is not None:
+                for column in self._three.columns(each).values():
+                    if column.kind == LINKS and not follows(column):
+                        before = self._three.values(BASE, each, column)
+                        ends = self._three.values(side, each, column)
+                        found |= {end for end in ends if isinstance(end, Versions) and end not in before}
+        return found
+
+    def _decide_removals(self, side: int, other: int) -> None:
+        """Remove what the other model removed, unless this one changed it."""
+        removed = {each for each in self._three.all if each.elements[BASE] and each.elements[side] and not each.elements[other]}
+        for each in self._three.all:
+            place = self._three.place(side, each) if each in removed else None
+            if place is None or place[0] in removed:
+                continue
+            inside = list(self._inside(side, other, each))
+            if any(self._changed(side, other, one) for one in inside):
+                self._conflicts.place("removed", each)
+                if self._take == side:
+                    continue
+            for one in inside:
+                one.exists = one.exists and one.elements[other] is not None
+
+    def _inside(self, side: int, other: int, versions: Versions) -> Iterator[Versions]:
+        """An element and what it contains in a model, but not the contents of elements that the other model has."""
+        pending = [versions]
+        while pending:
+            one = pending.pop()
+            yield one
+            if one.elements[other] is None:
+                for children in self._three.contents(side, one).values():
+                    pending += children
+
+    def _changed(self, side: int, other: int, versions: Versions) -> bool:
+        """Whether a model added, moved, changed or newly referred to an element."""
+        place = self._three.place(BASE, versions)
+        if place is None or place != self._three.place(side, versions):
+            return True
+        if versions.elements[other] is not None:
+            return False
+        if versions in self._new_ends[side]:
+            return True
+        for column in self._three.columns(versions).values():
+            if is_compared(column) and not follows(column):
+                before = self._three.remaining(side, versions, column)
+                if texts_of(before, column) != texts_of(self._three.values(side, versions, column), column):
+                    return True
+        return False
+
+    # --- places
+
+    def _decide_places(self) -> None:
+        for each in self._three.all:
+            if each.exists:
+                each.container, each.feature = self._place(each)
+        while (circle := self._circle()) is not None:
+            self._conflicts.place("moved", circle[0])
+            for each in circle:
+                place = self._three.place(self._merged.prefer, each)
+                if place is not None:
+                    each.container, each.feature = place
+
+    def _place(self, versions: Versions) -> Place:
+        """Where the merged model has an element."""
+        before, one, other = (self._three.place(side, versions) for side in (BASE, A, B))
+        if one is None or other is None:
+            found = one or other
+            assert found is not None
+            return found
+        found, alternative = (other, one) if one == before else (one, other)
+        if before not in (one, other) and one != other:
+            self._conflicts.place("moved", versions)
+            if self._merged.prefer == B:
+                found, alternative = alternative, found
+        return found if found[0] is None or found[0].exists else alternative
+
+    def _circle(self) -> list[Versions] | None:
+        """Elements that contain each other, or None."""
+        done: set[Versions] = set()
+        for each in self._three.all:
+            way: dict[Versions, None] = {}
+            one: Versions | None = each if each.exists else None
+            while one is not None and one not in done:
+                if one in way:
+                    begun = list(way)
+                    return begun[begun.index(one) :]
+                way[one] = None
+                one = one.container
+            done.update(way)
+        return None
+
+    # --- contents
+
+    def _decide_contents(self) -> None:
+        """Order the contents of all elements."""
+        groups: dict[tuple[Versions | None, str], list[Versions]] = {}
+        for each in self._three.all:
+            if each.exists:
+                groups.setdefault((each.container, each.feature), []).append(each)
+        for (container, name), members in groups.items():
+            known = self._known(container, name)
+            upper = self._three.columns(container)[name].upper if container is not None else -1
+            if 0 < upper < len(members) and max(map(len, known[1:])) <= upper and container is not None:
+                self._conflicts.contain(container, name, known)
+                members = [each for each in members if each in known[self._merged.prefer]]
+            order = merged_order(*known, members)
+            if order is None:
+                self._conflicts.contain(container or members[0], name or None, known)
+                order = merged_order(*known, members, self._merged.prefer) or []
+            self._merged.contents[container, name] = order
+        self._leave_out({each for order in self._merged.contents.values() for each in order})
+
+    def _known(self, container: Versions | None, name: str) -> tuple[list[Versions], list[Versions], list[Versions]]:
+        """What an element contains in the three models."""
+        base, a, b = (self._three.contents(side, container).get(name, []) for side in (BASE, A, B))
+        return base, a, b
+
+    def _leave_out(self, placed: set[Versions]) -> None:
+        """Leave elements without a place out, with all they contain."""
+        for each in self._three.all:
+            way: list[Versions] = []
+            one: Versions | None = each
+            while one is not None and one.exists and one in placed:
+                way.append(one)
+                one = one.container
+            if one is not None:
+                each.exists = False

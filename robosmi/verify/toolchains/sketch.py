@@ -1,19 +1,25 @@
 """A sketch on disk: its folder, its files, its project file. Nothing is written and nothing is run.
 
 A sketch is a folder `<name>` with `<name><suffix>` in it; the suffix and everything else that depends on a platform comes from
-the toolchain's data. In an output folder only what no link leads out of is read; a user's own sketch may have links to anywhere.
+the toolchain's data. In an output folder only what no link leads out of is read; a user's own sketch may have links to
+anywhere.
 
 The project file says for which board and with which libraries the sketch was generated. It is YAML; its name and its keys come
 from the toolchain's data. The part of YAML that such files use is read: block mappings and lists, comments, quoted texts.
-Anything else is refused with its line, not guessed. Lines are recorded, because errors name them; that, and one dependency less,
-is why no YAML library is used.
+Anything else is refused with its line, not guessed. Lines are recorded, because errors name them; that, and one dependency
+less, is why no YAML library is used.
+
+A platform's builder may make prototypes of functions that a sketch uses above their definition; a toolchain's data say whether
+it does. Such builders put them before the first function. Only functions that need one get one, on the line of the first
+function, so that lines keep their numbers. Templates, methods, functions in namespaces and those with default arguments get
+none, as they need none or no prototype of them would compile.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -25,8 +31,15 @@ from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import InputRejectedError, check_ordinary
 from robosmi.verify.toolchains.boards import Board, find_board
-from robosmi.verify.toolchains.prototypes import with_prototypes
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+
+_HIDDEN = re.compile(
+    r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'|^[ \t]*#(?:\\\n|[^\n])*", re.DOTALL | re.MULTILINE
+)
+_HEAD = re.compile(r"([^()=]*+)\((?:[^()=]++|\([^()]*+\))*+\)\s*+")
+"""Matches what precedes a body: type and name, and parameters without default values."""
+_TYPE = re.compile(r"[\w:<>,*&\s]++", re.ASCII)
+_WITHOUT = re.compile(r"\s*(?:template|typedef|using|namespace|extern)\b")
 
 
 class Sketch(NamedTuple):
@@ -438,3 +451,65 @@ def _unescaped(found: re.Match[str]) -> str:
         return chr(int(number, 16)) if number else {"n": "\n", "t": "\t", "r": "\r", "0": "\0"}.get(found[4], found[4])
     except (ValueError, OverflowError):  # no number, or beyond Unicode
         return found[0]
+
+
+class _Definition(NamedTuple):
+    start: int
+    head: str
+    name: str
+
+
+def with_prototypes(text: str) -> str:
+    """The text of a sketch with the prototypes that it lacks."""
+    plain = _HIDDEN.sub(lambda hidden: re.sub(r"[^\n]", " ", hidden[0]), text)
+    found = list(_definitions(plain))
+    outside = _outside(plain)
+    lacking: dict[str, str] = {}
+    for one in found:
+        used = re.search(rf"\b{one.name}\b", plain[: one.start])
+        # a type stands in front of a declared name, and `=` in front of a call that gives a variable its first value
+        declared = re.search(rf"(?:\A|[;{{}}])\s*[\w:][\w:<>,*&\s]*[*&\s]{one.name}\s*\([^;{{}}]*\)\s*;", outside[: one.start])
+        if used is not None and declared is None:
+            lacking.setdefault(one.name, f"{' '.join(one.head.split())}; ")
+    if not lacking:
+        return text
+    place = found[0].start
+    return f"{text[:place]}{''.join(lacking.values())}{text[place:]}"
+
+
+def _definitions(plain: str) -> Iterator[_Definition]:
+    """The functions that are defined at file scope, in order."""
+    depth = start = 0
+    for mark in re.finditer(r"[{};]", plain):
+        if mark[0] == "{":
+            head = _head(plain[start : mark.start()]) if depth == 0 else None
+            if head is not None:
+                yield head._replace(start=start + head.start)
+            depth += 1
+        elif mark[0] == "}":
+            depth = max(depth - 1, 0)
+        if depth == 0:
+            start = mark.end()
+
+
+def _head(piece: str) -> _Definition | None:
+    """The function whose body follows a piece of text, if a prototype can be made of it."""
+    found = _HEAD.fullmatch(piece)
+    if found is None or _WITHOUT.match(piece) is not None or "::" in found[1]:
+        return None
+    before = found[1].strip()
+    name = re.split(r"\W+", before, flags=re.ASCII)[-1]
+    kind = before.removesuffix(name).rstrip()
+    if not name or name[0].isdigit() or _TYPE.fullmatch(kind) is None or kind[-1] in ":,<":
+        return None
+    return _Definition(len(piece) - len(piece.lstrip()), piece.strip(), name)
+
+
+def _outside(plain: str) -> str:
+    """The text with all that is within braces blank."""
+    depth, parts = 0, []
+    for piece in re.split(r"([{}])", plain):
+        depth = max(depth - (piece == "}"), 0)
+        parts.append(" " * len(piece) if depth else piece)
+        depth += piece == "{"
+    return "".join(parts)

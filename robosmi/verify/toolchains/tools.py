@@ -2,16 +2,22 @@
 
 Processes for building are started here. What to start is data (`toolchain_data`); the output is interpreted by `messages` and
 `toolchain`.
+
+Compilers read a stranger's texts, in which templates, constant expressions, macros and large arrays of a few lines let them
+take gigabytes. So memory, processor time and length of files are limited. Linux enforces the limits (`prlimit`); on other
+systems only the clock ends a compiler.
 """
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import shutil
+import signal
 import subprocess
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, suppress
 from functools import partial
 from pathlib import Path
 from time import monotonic
@@ -20,9 +26,9 @@ from typing import IO, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.toolchains import process_limits
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import ending_with_us
+from robosmi.verify.toolchains.processor_time import ticks_asleep
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain_data import Toolchain, ToolEntry, places
 
@@ -30,6 +36,31 @@ LIMIT_S = 120.0
 """Seconds that one run of a compiler may take."""
 _LOOK_S = 1.0
 """Seconds after which, again and again, a process is looked at that has not ended yet."""
+
+MEMORY_MB, PROCESSOR_S, FILE_MB = 500, 10, 256
+"""Limits of each process: of its address space, of its processor time, and of the length of a file that it writes."""
+_WAITS_LOOKS = 5
+"""Looks, one each second, after which a process that only sleeps is taken to wait for ever."""
+
+_WORDS = {
+    re.compile(rf"out of memory|memory exhausted|{re.escape(os.strerror(errno.ENOMEM))}|std::bad_alloc"): (
+        "RLIMIT_AS",
+        f"{MEMORY_MB} MB of memory",
+    ),
+    re.compile(re.escape(signal.strsignal(signal.SIGXCPU) or "SIGXCPU") if hasattr(signal, "SIGXCPU") else r"(?!)"): (
+        "RLIMIT_CPU",
+        f"{PROCESSOR_S} s of processor time",
+    ),
+    re.compile(
+        rf"{re.escape(signal.strsignal(signal.SIGXFSZ) or 'SIGXFSZ')}|{re.escape(os.strerror(errno.EFBIG))}"
+        if hasattr(signal, "SIGXFSZ")
+        else r"(?!)"
+    ): ("RLIMIT_FSIZE", f"{FILE_MB} MB in a file"),
+}
+"""What compilers say when they reach a limit -> the limit, and what it allows."""
+_OF_THE_PROGRAM = re.compile(r"^\s*\d* \||:\d+(?::\d+)?: (?:error|warning|note): ")
+"""A line that quotes the program, or is about a line of it: `#error` may use any words."""
+_VALUES = {"RLIMIT_AS": MEMORY_MB << 20, "RLIMIT_CPU": PROCESSOR_S, "RLIMIT_FSIZE": FILE_MB << 20}
 
 
 class Installed(NamedTuple):
@@ -79,7 +110,7 @@ def run(
 
     Raises:
         MissingToolError: the program cannot be started.
-        VerificationError: it did not end in time, or took more than `process_limits` allow. It and what it has started are
+        VerificationError: it did not end in time, or took more than the limits allow. It and what it has started are
             ended, as after an interruption.
     """
     with temporary_folder("tool") as place, ExitStack() as stack:
@@ -92,9 +123,9 @@ def run(
             process = stack.enter_context(ending_with_us(start))
         except OSError as error:
             raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
-        limits = process_limits.limit(process.pid)
+        limits = _limit(process.pid)
         end = monotonic() + limit_s
-        waiting = process_limits.IdleWatch(process.pid)
+        waiting = IdleWatch(process.pid)
         while True:
             try:
                 said, complained = process.communicate(timeout=max(0.01, min(end - monotonic(), _LOOK_S)))
@@ -105,7 +136,7 @@ def run(
                     too_long = "waited for a named pipe or a device"
                 if too_long:
                     raise VerificationError(f"'{Path(command[0]).name}' {too_long} and was stopped", fix=advice) from None
-    if too_much := process_limits.exceeded(limits, process.returncode, complained):
+    if too_much := exceeded(limits, process.returncode, complained):
         raise VerificationError(f"'{Path(command[0]).name}' exceeded {too_much} and was stopped", fix=advice)
     return subprocess.CompletedProcess(command, process.returncode, said, complained)
 
@@ -191,3 +222,85 @@ def find_installed(toolchain: Toolchain) -> Installed:
     env = environment(toolchain)
     version = tool_version(commands[linker.key], linker.version, env)
     return Installed(commands, core, core_version(toolchain, core), version, env)
+
+
+def _limit(process: int) -> frozenset[str]:
+    """Limit a process that was just started, and those that it has started meanwhile; any later one inherits the limits.
+
+    Args:
+        process: its number.
+
+    Returns:
+        The names of the limits that are tighter than those that it had.
+    """
+    try:
+        from resource import RLIM_INFINITY, getrlimit, prlimit
+    except ImportError:
+        return frozenset()
+    import resource
+
+    tighter: set[str] = set()
+    todo = [process]
+    while todo:
+        one = todo.pop()
+        for name, most in _VALUES.items():
+            kind = getattr(resource, name)
+            soft, hard = getrlimit(kind)
+            if soft == RLIM_INFINITY or soft > most:
+                tighter.add(name)
+                with suppress(OSError):  # it has ended
+                    prlimit(one, kind, (most, hard))
+        todo += _started_by(one)  # after the limits, so that none is missed
+    return frozenset(tighter)
+
+
+def _started_by(process: int) -> Iterator[int]:
+    with suppress(OSError):
+        for task in Path(f"/proc/{process}/task").iterdir():
+            with suppress(OSError):
+                yield from map(int, inputs.read_text(task / "children", inputs.RECORD).split())
+
+
+class IdleWatch:
+    """Tells whether a process waits for something that never comes, as a compiler does that opens a named pipe."""
+
+    def __init__(self, process: int) -> None:
+        self.process = process
+        self.seen: dict[int, int | None] = {}
+        self.looks = 0
+
+    def look(self) -> bool:
+        """Whether it, and all that it has started, slept and used no processor time at each of the last `_WAITS_LOOKS` looks."""
+        now = dict(_sleeping(self.process))
+        self.looks = self.looks + 1 if now and now == self.seen and None not in now.values() else 0
+        self.seen = now
+        return self.looks >= _WAITS_LOOKS
+
+
+def _sleeping(process: int) -> Iterator[tuple[int, int | None]]:
+    """A process and those that it has started, each with its ticks of processor time; None for one that does not sleep."""
+    todo = [process]
+    while todo:
+        one = todo.pop()
+        with suppress(OSError):  # it has ended, or this system does not tell
+            yield one, ticks_asleep(one)
+        todo += _started_by(one)
+
+
+def exceeded(tighter: frozenset[str], code: int, complained: str) -> str:
+    """What a process took more of than it may, as words for a message; empty if it did not.
+
+    Args:
+        tighter: the limits that are ours, as `_limit` gives them.
+        code: the exit code of the process.
+        complained: what it wrote to its errors.
+    """
+    if code == 0:
+        return ""
+    said = [line for line in complained.splitlines() if not _OF_THE_PROGRAM.search(line)]
+    if code < 0:
+        said.append(signal.strsignal(-code) or "")
+    for words, (name, allowed) in _WORDS.items():
+        if name in tighter and any(words.search(line) for line in said):
+            return allowed
+    return ""

@@ -21,7 +21,7 @@ from robosmi.transformations.constraints.electrical import electrical, electrica
 from robosmi.transformations.constraints.electrical_plan import plan_faults, together
 from robosmi.transformations.constraints.plan_ports import port_faults
 from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts, electrical as facts
-from robosmi.transformations.m2t.terminal_text import terminal_lines
+from robosmi.transformations.m2t.first_screen import terminal_lines
 from robosmi.transformations.queries.circuits.electrical import stated_volts, wiring
 from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.t2m.fritzing import read_circuit

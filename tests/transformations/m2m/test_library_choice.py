@@ -13,7 +13,7 @@ from robosmi.metamodels import migration
 from robosmi.recommend.device_ranker import DeviceRanker
 from robosmi.recommend.history import History
 from robosmi.recommend.index import LibraryIndex
-from robosmi.recommend.index_writer import write_index
+from robosmi.recommend.library_record import write_index
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.libraries.library_ranking import device_knowledge, library_index
 from robosmi.transformations.knowledge.libraries.library_takes import Takes, library_takes

@@ -7,8 +7,7 @@ from msgspec.structs import replace
 
 from robosmi.base.data_text import Json, as_list, as_number, as_whole
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
-from robosmi.transformations.verification.devices.servo_pulses import MotionTolerance, PulseDriven
-from robosmi.transformations.verification.devices.waypoints import Waypoints
+from robosmi.transformations.verification.devices.servo_pulses import MotionTolerance, PulseDriven, Waypoints
 from robosmi.transformations.verification.devices.wheel import Wheel
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate

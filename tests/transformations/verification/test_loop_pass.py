@@ -7,9 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.transformations.verification.judgement.scenario_verdicts import looked_at_again
+from robosmi.transformations.verification.judgement.scenario_verdicts import hangs_on_a_pass, longest_pass_ms, looked_at_again
 from robosmi.transformations.verification.judgement.verdict import verdict_of
-from robosmi.transformations.verification.loop_pass import hangs_on_a_pass, longest_pass_ms
 from robosmi.transformations.verification.original_side import SourceRuns, run_source, run_varied
 from robosmi.verify.original import LibraryCall
 from robosmi.verify.scenario import Scenario

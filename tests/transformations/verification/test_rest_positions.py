@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.base.data_text import Json, as_list
-from robosmi.transformations.verification.devices.rest_positions import RestPositions
+from robosmi.transformations.verification.devices.servo_pulses import RestPositions
 
 FRAME_MS = 20
 

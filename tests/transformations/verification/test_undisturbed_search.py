@@ -7,9 +7,9 @@ import pytest
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.search.scenario_goals import UNDISTURBED
 from robosmi.transformations.verification.search.scenario_inputs import press, scenario_inputs
+from robosmi.transformations.verification.search.scenario_search import try_undisturbed
 from robosmi.transformations.verification.search.scenario_trials import Trials
 from robosmi.transformations.verification.search.search_effort import SearchEffort
-from robosmi.transformations.verification.search.undisturbed_search import try_undisturbed
 from tests.host_model.bench import original
 from tests.tools import require_tools
 

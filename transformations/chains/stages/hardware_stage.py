@@ -13,7 +13,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw, platform
 from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, Drawing, read_drawing
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
-from robosmi.transformations.m2m.circuits.motor_channels import motor_channels
+from robosmi.transformations.m2m.circuits.driven_devices import motor_channels
 from robosmi.transformations.m2m.migration_plan import Hardware
 from robosmi.transformations.queries.circuits.circuit import of_board, the_board
 

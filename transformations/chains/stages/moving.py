@@ -1,8 +1,8 @@
 """Moves an output folder of `migrate` on to another board: the sources and the choices of its plan, with a drawing of the new
 hardware or with pins that a pin table proposes.
 
-The folder is only read. What persons chose there counts after the command line, the project file and the plan that is in the new
-folder. An entry of [bind] that is a pin of the former board is not used: the plan has it with the part that it means.
+The folder is only read. What persons chose there counts after the command line, the project file and the plan that is in the
+new folder. An entry of [bind] that is a pin of the former board is not used: the plan has it with the part that it means.
 """
 
 from __future__ import annotations
@@ -31,9 +31,15 @@ from robosmi.transformations.knowledge.electrical_facts import rests_beyond_name
 from robosmi.transformations.knowledge.libraries.library_ranking import unsuitable
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.choices.stored_choices import StoredChoices
-from robosmi.transformations.m2m.moved_choices import Carried, NewHardware, carried_choices, changes
+from robosmi.transformations.m2m.moved_choices import (
+    Carried,
+    NewHardware,
+    carried_choices,
+    changes,
+    proposed_pins,
+    proposed_volts,
+)
 from robosmi.transformations.m2m.plan_tasks import settle
-from robosmi.transformations.m2m.proposed_pins import proposed_pins, proposed_volts
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED

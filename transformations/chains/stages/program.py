@@ -3,15 +3,15 @@
 The files include the program's own headers, which are read, stored and carried over with it: the headers, and included `.c`
 files, that a source file or another such header includes and that no platform provides. They are searched as a C compiler does:
 beside the including file, then in the given folders. A header with the name of a platform header is the program's own if its
-sources define most of the functions that the platform's header declares, as the sources of a library do; else it is a copy of the
-platform's.
+sources define most of the functions that the platform's header declares, as the sources of a library do; else it is a copy of
+the platform's.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from msgspec import Struct
@@ -29,12 +29,15 @@ from robosmi.transformations.knowledge.platforms.target_platform import CPLUSPLU
 from robosmi.transformations.m2m.language.cpp_incompatibilities import remarks
 from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView, views
-from robosmi.transformations.queries.double_definitions import double_definitions
+from robosmi.transformations.queries.own_headers import is_member
 from robosmi.transformations.queries.reports.analysis import library_cogs, unknown_functions
-from robosmi.transformations.queries.source_text import ADAPTERS_FILE, INCLUDED
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE, INCLUDED, is_header
 from robosmi.transformations.t2m.c_source.parsing.source import stored_bytes
 from robosmi.transformations.t2m.c_source.parsing.sources import source_files
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, adjacent_project, read_side
+
+_ONE_OF_MANY = re.compile(rb"\b(?:inline|__inline|__inline__|weak|__weak__)\b")
+"""Words of definitions that a linker accepts several of."""
 
 
 class ProgramFiles(Struct, frozen=True):
@@ -143,7 +146,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     places = _store_in_place(program) if keeps else _store_units(program, target.own_headers | {ADAPTERS_FILE})
     copies = {places[str(path)]: stored_bytes(inputs.read_bytes(path, inputs.SOURCE)) for path in files.paths}
     names = {place: path for path, place in places.items()}
-    findings = [*findings, *double_definitions(program, copies, names)]
+    findings = [*findings, *_double_definitions(program, copies, names)]
     for view in seen if target.language == CPLUSPLUS else ():
         findings = [*findings, *remarks(view, copies[view.unit.path], names[view.unit.path])]
     return StoredProgram(program, name, seen, places, copies, findings)
@@ -418,3 +421,42 @@ def _included(path: Path) -> list[str]:
     data = _read(path)
     directives = (text for kind, _, _, text in tokens(data) if kind == "directive") if b"include" in data else ()
     return [match[1].replace("\\", "/") for directive in directives if (match := _INCLUDE.match(directive))]
+
+
+def _double_definitions(program: ccode.Program, copies: Mapping[str, bytes], names: Mapping[str, str]) -> Iterator[Finding]:
+    """A finding RS342 for each function, and each variable with an initial value, that more than one file defines.
+
+    No linker accepts that, on the source platform neither.
+
+    Args:
+        program: the program.
+        copies: path of a unit -> its bytes.
+        names: path of a unit -> the file as the user knows it.
+    """
+    found: dict[str, list[tuple[str, ccode.Declaration]]] = {}
+    for unit in program.units:
+        for declared in unit.declarations if not is_header(unit) else ():  # headers stand in the files that include them
+            if _for_all_files(declared, copies[unit.path]):
+                found.setdefault(str(declared.name), []).append((names[unit.path], declared))
+    for name, (first, *others) in found.items():
+        path, declared = first
+        folder = os.path.dirname(path)
+        elsewhere = [f"{os.path.relpath(other, folder or '.')}:{again.line}" for other, again in others if other != path]
+        if elsewhere:
+            message = f"'{name}' is also defined in {' and '.join(elsewhere)}: a linker accepts only one definition"
+            place, advice = (
+                Location(path, declared.line, declared.column),
+                "give the files of one program, or remove one definition",
+            )
+            yield Finding("RS342", Severity.warning, message, place, fix=advice)
+
+
+def _for_all_files(declared: ccode.Declaration, data: bytes) -> bool:
+    if isinstance(declared, ccode.Function) and not is_member(declared):
+        end = declared.body.startOffset if declared.body is not None else -1
+    elif isinstance(declared, ccode.Variable):
+        end = declared.initializer.startOffset if declared.initializer is not None else -1
+    else:
+        return False
+    static = end < 0 or declared.storage.name == "staticStorage"
+    return not static and _ONE_OF_MANY.search(data, data.rfind(b"\n", 0, declared.startOffset) + 1, end) is None

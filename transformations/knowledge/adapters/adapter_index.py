@@ -4,20 +4,25 @@ They are in `<target platform>/adapters/<source platform>/` of the platform repo
 (`sys/time.cpp` is for `sys/time.h`); those of its folder `hal` are for no header, but for an architecture each, or for
 all others. Files of a project, of the user and of plug-ins precede the built-in ones, piece by piece.
 `queries.plans.adapter_needs` determines which pieces a program needs.
+
+`AdapterPins` says which parameters of a function are pins according to its adapter. The platform's `pins.json` takes precedence.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path, PurePath, PurePosixPath
 from types import MappingProxyType
 
 from robosmi import inputs, resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.adapters.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapters.adapter_files import HAL, MARK
 from robosmi.transformations.knowledge.adapters.adapter_records import AdapterFile, AdapterPiece
+from robosmi.transformations.knowledge.api_facts import PinFacts, PinParameter
 from robosmi.transformations.knowledge.board_models import architecture_of
 
 BUILT_IN = "built-in"
@@ -193,3 +198,48 @@ def own_folders(beside: Path | None) -> dict[Path, str]:
     """
     of_project = {beside / OWN: "project"} if beside is not None else {}
     return {**of_project, resources.user_data() / OWN: "user"}
+
+
+class AdapterPins:
+    """The pins of functions, from the markers `pin:` of their adapters.
+
+    Args:
+        index: the adapter files of the target.
+    """
+
+    def __init__(self, index: AdapterIndex) -> None:
+        self.index = index
+        self._known: dict[tuple[str, str], PinFacts | None] = {}
+
+    def of(self, function: str, header: str) -> PinFacts | None:
+        """The pins of a function; None where no adapter declares any.
+
+        Args:
+            function: its name.
+            header: where it is declared; empty where nobody knows it, so that the adapters of all headers are asked.
+
+        Raises:
+            PlatformDataError: an adapter file cannot be read, or says something wrong.
+        """
+        key = function, header
+        if key not in self._known:
+            pieces = [p for group in self.index.of(header) for p in group] if header else self._of_all.get(function, ())
+            found = (_pins(piece) for piece in pieces if piece.name == function)
+            self._known[key] = next((pins for pins in found if pins is not None), None)
+        return self._known[key]
+
+    @cached_property
+    def _of_all(self) -> dict[str, list[AdapterPiece]]:
+        """Name -> the pieces of that name of all headers."""
+        found: dict[str, list[AdapterPiece]] = {}
+        for piece in (p for header in self.index.headers for group in self.index.of(header) for p in group):
+            found.setdefault(str(piece.name), []).append(piece)
+        return found
+
+
+def _pins(piece: AdapterPiece) -> PinFacts | None:
+    if piece.kind != "adapter" or not piece.pins:
+        return None
+    names = parameters_of(piece.text, piece.target_name or piece.name)
+    pins = [PinParameter(names.index(pin.name), pin.name, pin.direction) for pin in piece.pins if pin.name in names]
+    return PinFacts(tuple(pins), ()) if pins else None

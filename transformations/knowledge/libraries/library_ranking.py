@@ -124,7 +124,7 @@ def installed_index(platform: str) -> Path:
 def _opened(paths: tuple[Path, ...], times: tuple[int, ...]) -> LibraryIndex:  # by time: a rebuilt index is opened anew
     if len(paths) == 1:
         return LibraryIndex(paths[0])
-    from robosmi.recommend.layered_index import LayeredIndex  # few have libraries of their own
+    from robosmi.recommend.index import LayeredIndex  # few have libraries of their own
 
     return LayeredIndex(paths)
 

@@ -39,6 +39,9 @@ VALUES = ("constant", "register", "variable")
 TYPES = ("type",)
 HELPERS = ("helper",)
 
+_WAIT = re.compile(r"(while \(!Serial && millis\(\) < )\d+(\) \{\})")
+"""The statement, with its milliseconds after the start."""
+
 
 class UnservedHeader(Struct):
     """A header of the source platform whose contents the target cannot provide, and the reason."""
@@ -325,3 +328,20 @@ def serve(uses: Iterable[migration.AdapterUse], headers: Mapping[str, str], choi
     values = set(handed)
     for use in uses:
         choice.choose(use, headers.get(str(use.name), ""), handed=str(use.name) in values)
+
+
+def set_console_wait(pieces: Iterable[platform.Adapter], milliseconds: int) -> None:
+    """Set how long a program waits for its console, where the console is USB and a computer has to open it first.
+
+    The wait is a statement of the adapter that has the console (`setup`); a robot without a computer must start all the same.
+
+    Args:
+        pieces: of the adapters of a plan.
+        milliseconds: the time; 0 for no wait.
+    """
+    for piece in pieces:
+        waits = [_WAIT.sub(rf"\g<1>{milliseconds}\2", str(statement)) for statement in piece.setup]
+        statements = [statement for statement in waits if milliseconds or not _WAIT.fullmatch(statement)]
+        if statements != list(piece.setup):
+            piece.setup.clear()
+            piece.setup.extend(statements)

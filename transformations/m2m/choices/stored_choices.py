@@ -1,7 +1,7 @@
 """Takes over the user's choices from a stored plan into the plan made anew, and decides which of several choices counts.
 
 The order is: flag, project file, stored plan, history, rule. A stored choice for something that no longer exists is dropped
-with a finding; differences between flag, project file and stored plan are reported as well. `chains.stages.import_choices`
+with a finding; differences between flag, project file and stored plan are reported as well. `chains.stages.edited_plan`
 reads the stored plan.
 """
 

@@ -20,7 +20,7 @@ from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.macros.tokens import name_tokens
 
 RULE = "named-literal"
-"""The rule of `edit_rules` that gives a literal a named object."""
+"""The rule of `text_changes` that gives a literal a named object."""
 _REASON = "what a compound literal makes ends with its expression in C++"
 
 

@@ -1,7 +1,7 @@
 """C constructs that a compiler for the target's language (C++) refuses, each with the edit that mends it.
 
-A table of rules over the code model. Each rule finds elements and names the rule of `m2m.partition.edit_rules` that changes their
-text; what no simple edit mends is reported by `cpp_incompatibilities`. Conversions of values follow from
+A table of rules over the code model. Each rule finds elements and names the rule of `m2m.partition.text_changes` that changes
+their text; what no simple edit mends is reported by `cpp_incompatibilities`. Conversions of values follow from
 `queries.expression_type`. Declarations in the style of old C are in `old_c`, variables that several declarations or files share
 in `shared_names`.
 """

@@ -1,7 +1,7 @@
 """Declarations in the style of old C that C++ refuses, each with the edit that mends it.
 
 These are empty parameter lists, parameters declared after the list (K&R), implicit int, and functions that end without returning
-their value. Each rule finds elements and names the rule of `m2m.partition.edit_rules` that changes their text. Conversions of
+their value. Each rule finds elements and names the rule of `m2m.partition.text_changes` that changes their text. Conversions of
 values are in `language_gap`.
 """
 

@@ -1,7 +1,7 @@
 """Variables declared several times or in several files: one object in C, a definition each in C++.
 
 C merges tentative definitions of a variable (C11 6.9.2), and older compilers merge common symbols of several files. Each rule
-finds declarations and names the rule of `m2m.partition.edit_rules` that changes their text.
+finds declarations and names the rule of `m2m.partition.text_changes` that changes their text.
 """
 
 from __future__ import annotations

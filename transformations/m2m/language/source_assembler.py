@@ -16,7 +16,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 
 LEFT_OUT = "source-assembler"
-"""The rule of `edit_rules` that turns assembler into a comment."""
+"""The rule of `text_changes` that turns assembler into a comment."""
 REASON = "another microcontroller does not have the source's instructions"
 _ASSEMBLER = re.compile(r"\b(?:__asm__|__asm|asm)\b")
 _PIECE = re.compile(r'"((?:[^"\\]|\\.)*)"\s*|(:)|([A-Za-z_]\w*)|(.)', re.DOTALL)

@@ -1,6 +1,6 @@
 """The change of text that the target's language needs at one element, as the rules of `language_gap` and `old_c` return it.
 
-What a rule does to the text is in `m2m.partition.edit_rules`; `m2m.partition.platform_dependence` enters the changes into the
+What a rule does to the text is in `m2m.partition.text_changes`; `m2m.partition.platform_dependence` enters the changes into the
 plan.
 """
 
@@ -19,7 +19,7 @@ class Change(NamedTuple):
 
     Attributes:
         element: the element that changes.
-        rule: the rule of `edit_rules` that changes it.
+        rule: the rule of `text_changes` that changes it.
         text: the text that the rule inserts.
         reason: the reason, in one sentence.
     """

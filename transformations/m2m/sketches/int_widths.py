@@ -1,26 +1,36 @@
 """Numbers wrap around as on a board whose int is narrower: the types of variables and casts keep the width that they had there.
 
-Only what may leave that width is changed (`WrappedValues`): a variable gets a type of its width on the source, and a result that
-is looked at is cut to it. What points or refers to a variable changes with it (`linked_types`). A variable that a function of a
-library takes as an int keeps its type, and is a task.
+Only what may leave that width is changed (`WrappedValues`): a variable gets a type of its width on the source, and a result
+that is looked at is cut to it. What points or refers to a variable changes with it (`linked_types`). A variable that a function
+of a library takes as an int keeps its type, and is a task.
 
 Where char has no sign on the target, variables and casts of type char that take negative values become `signed char`.
+
+Formats of printf and scanf print and read what they do on a board with a narrower int. `%u` of a negative int, and `%d` of an
+unsigned one, show other digits where int is wider, so the argument is cut. `%d` of scanf writes as many bytes as an int has, so
+a variable of 16 bits is read by `%hd`. A conversion of another width than its argument, and one of a float, which avr-libc
+prints as `?`, are places. Source: ISO/IEC 9899:1999, 7.19.6; avr-libc, vfprintf().
+
+The least and the greatest value that functions and methods of a platform return are data (`values.toml`).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
+from functools import cache
 
+from robosmi import resources
+from robosmi.base.data_tables import DataTable
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
+from robosmi.project import read_data
 from robosmi.query import all_contents
-from robosmi.transformations.knowledge.platforms.returned_values import macros_of_bits, macros_of_operands, returned_values
 from robosmi.transformations.knowledge.replacements import Replacement, inserted
 from robosmi.transformations.m2m.sketches.argument_values import stored_values, taken_values
-from robosmi.transformations.m2m.sketches.format_widths import format_widths
 from robosmi.transformations.m2m.sketches.linked_types import TypeLinks, declarations
 from robosmi.transformations.m2m.sketches.sketch_edits import MovedSketch, SketchEdit, is_written
+from robosmi.transformations.m2m.widths.width_formats import conversions
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constants.declared_uses import Declared
 from robosmi.transformations.queries.constants.negative_chars import as_characters, negative_chars
@@ -43,6 +53,15 @@ _TEMPLATE = re.compile(r"<(.*)>", re.DOTALL)
 _GROWING = frozenset(["+", "-", "*", "<<", "~", "++", "--"])
 _LIMITS = frozenset(["UINT16_MAX", "INT16_MAX", "INT16_MIN"])
 
+_KIND = "format_width"
+_RULE = "format-width"
+_FORMATS: Mapping[str, int] = {"printf": 0, "sprintf": 1, "fprintf": 1, "snprintf": 2, "sscanf": 1, "scanf": 0}
+"""Function -> the position of its format; their relatives for formats in program memory end with `_P`."""
+_INTEGERS = frozenset("diuxXo")
+_REALS = frozenset("aAeEfFgG")
+_BITS = {"hh": 8, "h": 16, "": 16, "l": 32, "ll": 64}
+"""Length of a conversion -> the bits that it takes where int has 16."""
+
 
 def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
     """Where the numbers of a program leave its int; None if the int of the target is not wider."""
@@ -51,7 +70,7 @@ def wrapped_values(sketch: MovedSketch) -> WrappedValues | None:
         return None
     own, other = (Machine(each.int_bits, 32, each.int_bits, each.char_signed) for each in (here, there))
     platform = sketch.views[0].api.name
-    results, of_operands, of_bits = returned_values(platform), macros_of_operands(platform), macros_of_bits(platform)
+    results, of_operands, of_bits = _returned_values(platform), _macros_of_operands(platform), _macros_of_bits(platform)
     return WrappedValues(sketch.views, own, other, results, of_operands, of_bits)
 
 
@@ -77,7 +96,7 @@ def int_widths(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
             reason = f"'{each.name}' may leave the {bits} bits that an int has on its own board, and wraps there"
             yield SketchEdit(each, "int-wraps", reason, words)
         yield from _cured_times(sketch, values, holder)
-    cuts = [*format_widths(sketch, values), *stored_values(sketch, values), *taken_values(sketch, values)]
+    cuts = [*_format_widths(sketch, values), *stored_values(sketch, values), *taken_values(sketch, values)]
     cuts += _widths_left(sketch, values)
     yield from cuts
     cut_there = {id(each.element) for each in cuts if isinstance(each, SketchEdit)}
@@ -271,7 +290,7 @@ def char_signs(sketch: MovedSketch) -> Iterator[SketchEdit | PortabilityPlace]:
     done = set[tuple[str, int]]()
     cast = set[int]()
     view_of = {id(view.unit): view for view in sketch.views}
-    for holder in negative_chars(sketch.views, returned_values(sketch.views[0].api.name)):
+    for holder in negative_chars(sketch.views, _returned_values(sketch.views[0].api.name)):
         group = declarations(sketch.views, holder)
         if not all(is_free(each) for each in group):
             yield sketch.place(KEPT_CHAR, holder, str(holder.name))
@@ -362,3 +381,103 @@ def _takes_bytes(outer: Element | None, taking: Collection[str]) -> bool:
     if isinstance(outer, ccode.Cast):
         return outer.target is not None and (is_of_bytes(outer.target) or "void" in str(outer.target.spelling).split())
     return isinstance(outer, ccode.Call) and str(outer.calleeName) in taking
+
+
+def _format_widths(sketch: MovedSketch, values: WrappedValues) -> Iterator[SketchEdit | PortabilityPlace]:
+    """The edits of arguments and formats, and the conversions that no edit mends."""
+    for view in sketch.views:
+        for call in view.of_kind(ccode.Call):
+            name = str(call.calleeName).removesuffix("_P")
+            at, arguments = _FORMATS.get(name), list(call.arguments)
+            if at is None or at >= len(arguments) or call.viaMacro:
+                continue
+            literals = [each for each in all_contents(arguments[at]) if isinstance(each, ccode.StringLiteral)]
+            if len(literals) == 1:
+                yield from _of_call(sketch, values, view, literals[0], arguments[at + 1 :], reads=name.endswith("scanf"))
+
+
+def _of_call(
+    sketch: MovedSketch, values: WrappedValues, view: CodeView, literal: ccode.StringLiteral,
+    arguments: list[ccode.Expression], *, reads: bool,
+) -> Iterator[SketchEdit | PortabilityPlace]:  # fmt: skip
+    start, end = int(literal.startOffset), int(literal.endOffset)
+    text = sketch.sources[str(view.unit.path)][start:end].decode("latin-1")
+    bits = sketch.move.source.int_bits
+    for (length, letter, offset), argument in zip(conversions(text, reads), arguments, strict=False):
+        shown = f"%{length}{letter}"
+        if letter in _REALS and not reads:
+            yield sketch.place(_KIND, argument, f"{shown} prints '?'")
+        number = values.number(_pointed(argument) if reads else argument)
+        if letter not in _INTEGERS or number is None or number.real:
+            continue
+        wanted, has = _BITS.get(length), number.bits if reads else max(number.bits, bits)
+        if wanted is None:
+            continue
+        if max(wanted, bits) != has and (reads or length not in ("h", "hh")):
+            yield sketch.place(_KIND, argument, f"{shown} takes {wanted} bits, and its argument has {has}")
+        elif reads and not length and number.fixed and text.startswith('"'):
+            why = f"{shown} writes an int, which is wider there than the variable"
+            yield SketchEdit(literal, _RULE, why, (inserted(start + offset, "h"),))
+        elif not reads and not length and number.bits == bits and number.signed != (letter in "di"):
+            found = values.range_of(argument)
+            if found is None or not found.within(0, (1 << (bits - 1)) - 1):
+                cut = f"{'' if letter in 'di' else 'u'}int{bits}_t"
+                first, last = int(argument.startOffset), int(argument.endOffset)
+                why = f"{shown} shows the {bits} bits that the value has on its own board"
+                yield SketchEdit(argument, _RULE, why, (inserted(first, f"({cut})("), inserted(last, ")")))
+
+
+def _pointed(argument: ccode.Expression) -> ccode.Expression | None:
+    return argument.operand if isinstance(argument, ccode.Unary) and argument.operator == "&" else None
+
+
+@cache
+def _returned_values(platform: str) -> Mapping[str, tuple[int, int]]:
+    """Name of a function or method -> the least and the greatest value; empty for a platform without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
+        return {}
+    path = resources.find("platform_repo", f"{platform}/{_FILE}")
+    table = DataTable(path, read_data(path))
+    found: dict[str, tuple[int, int]] = {}
+    for kind in ("functions", "methods"):
+        entries = table.table(kind, needed=False)
+        for name in entries.values:
+            ends = entries.numbers(name)
+            if len(ends) != 2 or ends[0] > ends[1]:
+                raise entries.error(name, "must be the least and the greatest value")
+            found[name] = ends[0], ends[1]
+    return found
+
+
+@cache
+def _macros_of_operands(platform: str) -> frozenset[str]:
+    """Macros of a platform whose result has the type that their arguments have together; empty for a platform without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    return _macros(platform, "macros_of_operands")
+
+
+@cache
+def _macros_of_bits(platform: str) -> frozenset[str]:
+    """Macros of a platform that write a bit of their first argument, whose number is the second; empty without data.
+
+    Raises:
+        PlatformDataError: the data is damaged.
+    """
+    return _macros(platform, "macros_of_bits")
+
+
+def _macros(platform: str, key: str) -> frozenset[str]:
+    if not any((folder / platform / _FILE).is_file() for folder in resources.folders("platform_repo")):
+        return frozenset()
+    path = resources.find("platform_repo", f"{platform}/{_FILE}")
+    return frozenset(DataTable(path, read_data(path)).texts(key, ()))
+
+
+_FILE = "values.toml"

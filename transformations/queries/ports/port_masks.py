@@ -8,22 +8,25 @@ code model alone, without regard to order: a thing may have any value that it is
 if a change of one may change the other: a pointer or reference and what it leads to, the elements of an array, the members of a
 union. What the text does not give values (parameters of constructors, of operators and of functions that are called through
 pointers, variables whose address a function of the platform takes) is given the element that says so, which has no known value.
+
+The sets are defined by each other. `FixedPoints` computes the least solution of their equations for what is asked and what that
+needs. It is the top-down solver of Le Charlier and Van Hentenryck (A universal top-down fixpoint algorithm, 1992): an equation
+is evaluated again only if a set that it has read has grown since. The cost is that of the equations times the number of times
+that sets grow, whatever the number of paths between them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries import fixed_points
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.fixed_points import FixedPoints
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
@@ -36,6 +39,11 @@ WORD = 32
 """Bits of a register."""
 _ALL = (1 << WORD) - 1
 _TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
+
+_T = TypeVar("T", int, frozenset[int])
+"""A set: the bits of a number, or numbers."""
+_DEEPEST = 40
+"""Equations that may wait for each other, within Python's own stack; what lies deeper is unbounded."""
 
 
 class PortMasks:
@@ -197,11 +205,11 @@ def _unit(expression: Element | None) -> int:
 
 def union(parts: Iterable[int | None]) -> int | None:
     """The union of some masks; None if one of them is unknown."""
-    return fixed_points.union(parts, 0)
+    return union(parts, 0)
 
 
 def _together(parts: Iterable[frozenset[int] | None]) -> frozenset[int] | None:
-    return fixed_points.union(parts, frozenset())
+    return union(parts, frozenset())
 
 
 class MemberKey(Struct, frozen=True):
@@ -418,3 +426,70 @@ class GivenValues:
         for argument in arguments:
             if argument is not handed and gives_access(argument):
                 self._give(self.key(argument), call)
+
+
+class FixedPoints(Generic[_T]):
+    """Solves equations of the form: this set is the union of these parts, which may read other sets and this one.
+
+    Args:
+        nothing: the empty set.
+
+    Attributes:
+        active: the points whose equations are being evaluated, outermost first.
+    """
+
+    def __init__(self, nothing: _T) -> None:
+        self._nothing: _T = nothing
+        self.active: dict[Hashable, None] = {}
+        self._found: dict[Hashable, _T | None] = {}
+        self._readers: dict[Hashable, set[Hashable]] = {}
+        self._settled: set[Hashable] = set()
+        """Points whose sets follow from the present sets of what they read."""
+
+    def of(self, point: Hashable, parts: Callable[[], Iterable[_T | None]]) -> _T | None:
+        """The least solution for a point; while its own equation is evaluated, what has been found so far.
+
+        Args:
+            point: identifies the equation.
+            parts: computes the sets whose union the point is; one that is None makes the point unbounded.
+        """
+        self._found.setdefault(point, self._nothing)
+        while point not in self._settled and point not in self.active:
+            if len(self.active) >= _DEEPEST:
+                return None
+            before = self._found[point]
+            self._settled.add(point)
+            self.active[point] = None
+            for part in parts() if before is not None else ():
+                self._found[point] = _union([self._found[point], part], self._nothing)  # later parts may read it
+                if self._found[point] is None:
+                    break
+            del self.active[point]
+            if self._found[point] != before:
+                self._unsettle_readers(point)
+        if self.active:
+            self._readers.setdefault(point, set()).add(next(reversed(self.active)))
+        return self._found[point]
+
+    def _unsettle_readers(self, point: Hashable) -> None:
+        """Have everything evaluated again that has read a set, directly or through others."""
+        pending = [point]
+        while pending:
+            read = self._readers.pop(pending.pop(), set()) & self._settled
+            self._settled -= read
+            pending += read
+
+
+def _union(parts: Iterable[_T | None], nothing: _T) -> _T | None:
+    """The union of some sets; None if one of them is unbounded.
+
+    Args:
+        parts: the sets.
+        nothing: the empty set.
+    """
+    found = nothing
+    for part in parts:
+        if part is None:
+            return None
+        found = found | part
+    return found

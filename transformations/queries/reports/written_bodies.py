@@ -1,7 +1,7 @@
 """What users write into a generated program: bodies of placeholders, and ticks in the list of tasks.
 
 Only texts are compared: the present one and the one that is newly generated. What follows from it is decided in
-`chains.stages.user_edits`.
+`chains.stages.completion`.
 """
 
 from __future__ import annotations

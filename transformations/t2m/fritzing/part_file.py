@@ -1,6 +1,8 @@
 """A part definition (`.fzp`) as a `Part` of the catalogue: for definitions in a sketch and in folders of parts.
 
 The role is left open: the catalogue's rules, not the file, decide what a part is for the software.
+
+Parts that Fritzing makes up (pin headers, generic ICs, stripboards) have no definition: their generated id says what they are.
 """
 
 from __future__ import annotations
@@ -8,9 +10,11 @@ from __future__ import annotations
 from lxml import etree
 
 from robosmi.transformations.knowledge.part import Part, PartConnector
-from robosmi.transformations.knowledge.part_names import PartNames, connector_kind
-from robosmi.transformations.t2m.fritzing.generated_parts import TOOL
+from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names
 from robosmi.transformations.t2m.guarded_xml import parse_xml
+
+TOOL = "fritzing"
+"""The drawing tool as boards, the catalogue and rules name it."""
 
 
 def parse_part(data: bytes, path: str, name: str, known: PartNames) -> Part | None:
@@ -60,3 +64,22 @@ def part_of(root: etree._Element, source: str, known: PartNames) -> Part | None:
         source=source,
         tool=TOOL,
     )
+
+
+def generated_part(part_id: str, known: PartNames | None = None) -> Part | None:
+    """The part that a generated id stands for (pin headers, generic ICs, stripboards), or None.
+
+    The number of connectors is the first whole number between underscores (Fritzing's `TextUtils::getPinsAndSpacing`);
+    boards of holes have none of their own, the drawing has those that it uses.
+    """
+    for shape in (known or names()).generated:
+        if shape.tool not in ("", TOOL):
+            continue
+        holes = any(text in part_id for text in shape.contains)
+        if not holes and not part_id.startswith(shape.prefixes):
+            continue
+        count = 0 if holes else next((int(piece) for piece in part_id.split("_") if piece.isdecimal() and len(piece) < 4), 0)
+        if count or holes:
+            connectors = {f"connector{i}": PartConnector(f"connector{i}", f"pin {i + 1}", "unknown") for i in range(count)}
+            return Part(part_id, shape.title, shape.family, connectors=connectors, source="the part's generated id", tool=TOOL)
+    return None

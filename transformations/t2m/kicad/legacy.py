@@ -1,22 +1,27 @@
 """An EESchema `.sch` (KiCad 5 and before) as a `Sheet`: a text of lines, a fixed number for each kind of entry.
 
-The file contains no symbols: these are in libraries beside it (`symbol_library`). Coordinates are in thousandths of an inch.
+The file contains no symbols: these are in libraries beside it (`-cache.lib`, `.lib`; `library_of`). Coordinates are in
+thousandths of an inch.
 """
 
 from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m.companions import DrawingFolder
 from robosmi.transformations.t2m.kicad.expressions import FIX
 from robosmi.transformations.t2m.kicad.sheet import (
     GLOBAL,
     LOCAL,
     UPWARD,
     Label,
+    LibraryPin,
+    LibrarySymbol,
     Point,
     Sheet,
     SheetSymbol,
@@ -38,6 +43,9 @@ _REFERENCE = re.compile(r'AR Path="([^"]*)" Ref="([^"]*)"(?:\s+Part="([0-9]{1,9}
 _NAMED = {"0": "Reference", "1": "Value", "2": "Footprint", "3": "Datasheet"}
 _NUMBER = re.compile(r"-?[0-9]{1,9}")
 _UPRIGHT = (1, 0, 0, 1)
+
+_HEAD = "EESchema-LIBRARY"
+_KINDS = {"W": "power_in", "w": "power_out"}
 
 
 def read_legacy(text: str, path: str) -> Sheet:
@@ -158,3 +166,76 @@ def shlex_last(line: str) -> str:
         return shlex.split(line)[-1]
     except ValueError:
         return "field"
+
+
+def library_of(folder: DrawingFolder, identities: Iterable[str]) -> dict[str, LibrarySymbol]:
+    """The library symbols that a schematic uses, by the names that it uses for them.
+
+    KiCad's own cache (`NAME-cache.lib`) is read first, then what was rescued (`NAME-rescue.lib`), then libraries of the names
+    that stand before the symbols' (`LIBRARY.lib`), each where it lies beside the schematic.
+
+    Args:
+        folder: the folder of the schematic.
+        identities: what the schematic calls its symbols.
+    """
+    wanted = list(dict.fromkeys(identities))
+    stem = folder.path.stem
+    others = list(dict.fromkeys(f"{identity.partition(':')[0]}.lib" for identity in wanted if ":" in identity))
+    caches = list(dict.fromkeys((f"{stem}-cache.lib", *_caches(folder.path.parent), f"{stem}-rescue.lib", f"{stem}.lib")))
+    found: dict[str, LibrarySymbol] = {}
+    for name in (*caches, *others):
+        missing = [identity for identity in wanted if identity not in found]
+        data = folder.read(name) if missing else None
+        if data is not None:
+            listed = _parsed(data.decode("utf-8", "replace"))
+            found.update({i: symbol for i in missing if (symbol := _named(listed, i)) is not None})
+    return found
+
+
+def _caches(folder: Path) -> list[str]:
+    """Caches of other schematics in the folder: the symbols of a sub-sheet are in the cache of the top schematic."""
+    try:
+        return sorted(path.name for path in folder.glob("*-cache.lib"))
+    except OSError:
+        return []
+
+
+def _parsed(text: str) -> dict[str, LibrarySymbol]:
+    """The symbols of a library, by name and by alias; other entries are skipped."""
+    found: dict[str, LibrarySymbol] = {}
+    if not text.startswith(_HEAD):
+        return found
+    name, power = "", False
+    aliases: list[str] = []
+    pins: list[LibraryPin] = []
+    for line in text.splitlines():
+        words = line.split()
+        if words[:1] == ["DEF"] and len(words) > 1:
+            name, power, aliases, pins = words[1].lstrip("~"), len(words) > 9 and words[9] == "P", [], []
+        elif words[:1] == ["ALIAS"]:
+            aliases = words[1:]
+        elif words[:1] == ["X"] and (pin := _pin(words)) is not None:
+            pins.append(pin)
+        elif words[:1] == ["ENDDEF"] and name:
+            for one in (name, *aliases):
+                found[one] = LibrarySymbol(one, power, pins=tuple(pins))
+            name = ""
+    return found
+
+
+def _pin(words: list[str]) -> LibraryPin | None:
+    """X name number x y length orientation size size unit style kind [shape]."""
+    if len(words) < 12:
+        return None
+    try:
+        x, y, unit, style = (int(words[index]) for index in (3, 4, 9, 10))
+    except ValueError:
+        return None
+    hidden = len(words) > 12 and words[12].startswith("N")
+    name = "" if words[1] == "~" else words[1]
+    return LibraryPin(words[2], name, _KINDS.get(words[11], "other"), Point(x, -y), unit, style, hidden)
+
+
+def _named(listed: Mapping[str, LibrarySymbol], identity: str) -> LibrarySymbol | None:
+    short = identity.partition(":")[2] or identity
+    return next((listed[name] for name in (identity.replace(":", "_"), identity, short) if name in listed), None)

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.transformations.chains.stages.compiler_errors import compiler_complaints
 from robosmi.transformations.m2t.first_screen import written
 from robosmi.transformations.queries.reports.work import Work
-from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 from tests.tools import require_tools
 

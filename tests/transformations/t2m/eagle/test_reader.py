@@ -13,8 +13,7 @@ from robosmi.metamodels import hardware as hw
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.t2m.eagle import read_circuit
-from robosmi.transformations.t2m.eagle.library import connectors_of
-from robosmi.transformations.t2m.eagle.reader import MOST_PARTS, recognises
+from robosmi.transformations.t2m.eagle.reader import MOST_PARTS, connectors_of, recognises
 from tests.transformations.t2m.drawn import pins, said
 from tests.transformations.t2m.eagle.support import CHIP, HEADER, TWO, UNO, Pins, device, net, part, schematic
 

@@ -19,7 +19,7 @@ from robosmi.transformations.knowledge.part_names import Phrases, conducts_by_bu
 from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.t2m.fritzing import read_circuit
-from robosmi.transformations.t2m.fritzing.generated_parts import generated_part
+from robosmi.transformations.t2m.fritzing.part_file import generated_part
 from tests.transformations.t2m.fritzing.support import FIXTURES, SHARED
 
 
