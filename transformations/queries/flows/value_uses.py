@@ -40,6 +40,20 @@ class ValueUses:
         for element in view.elements:
             if isinstance(element, _VALUES):
                 self._use(element, view)
+        if any(macro.functionLike for each in self.reader.views for macro in each.unit.macros):
+            self._repeated(view)
+
+    def _repeated(self, view: CodeView) -> None:
+        """Keep the numbers that a macro uses several times (`MAX(18, 17)`), once in a way that is not followed."""
+        places: dict[int, list[ccode.IntegerLiteral]] = {}
+        for literal in view.of_kind(ccode.IntegerLiteral):
+            places.setdefault(int(literal.startOffset), []).append(literal)
+        for same in places.values():
+            followed = [each for each in same if self.reader.follows(each)]
+            others = [each for each in same if each not in followed] if followed and len(same) > 1 else []
+            whys = [self._why_kept(each, each.eContainer(), view) for each in others if _expansion(each) is None]
+            for each in followed if any(whys) else ():
+                self.reader.flows.freeze(self.reader.value(each), next(filter(None, whys)))
 
     def _use(self, expression: ccode.Expression, view: CodeView) -> None:
         """Keep the numbers of a value's flow if its use is not followed."""

@@ -205,11 +205,11 @@ def _unit(expression: Element | None) -> int:
 
 def union(parts: Iterable[int | None]) -> int | None:
     """The union of some masks; None if one of them is unknown."""
-    return union(parts, 0)
+    return _union(parts, 0)
 
 
 def _together(parts: Iterable[frozenset[int] | None]) -> frozenset[int] | None:
-    return union(parts, frozenset())
+    return _union(parts, frozenset())
 
 
 class MemberKey(Struct, frozen=True):
