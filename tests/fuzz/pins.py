@@ -1,9 +1,9 @@
 """Compare the pins that random programs use on this computer with those that their migrated sketches use.
 
-Usage: python -m tests.fuzz.pins [--cases N] [--seed N] [--keep DIR]. Run by hand (`make fuzz`). Each port of a program is bound to a
-pin whose number no port has, so that a number that stays shows. A sketch that differs although RoboSMi calls it ready is a silent
-wrong pin, and so is a port that no list has, at a line that no finding names. Programs without a meaning in C, and those that use
-ports that the chip lacks, are left out and counted.
+Usage: python -m tests.fuzz.pins [--cases N] [--seed N] [--keep DIR]. Run by hand (`make fuzz`). Each port of a program is
+bound to a pin whose number no port has, so that a number that stays shows. A sketch that differs although RoboSMi calls it ready
+is a silent wrong pin, and so is a port that no list has, at a line that no finding names. Programs without a meaning in C, and
+those that use ports that the chip lacks, are left out and counted.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -67,7 +68,7 @@ _FUNCTIONS = {
     "freqout": ", int a, int b",
 }  # fmt: skip
 _PORTS = re.compile(r"^const uint8_t port_pins\[.*?\};|^inline int32_t port\(int32_t number\) \{.*?^\}", re.M | re.S)
-_FLAGS = ("-w", "-m32", "-O1", "-I.")
+_FLAGS = ("-w", "-O1", "-I.")
 _CPP = ("-x", "c++", "-std=gnu++17", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-nostdinc++")
 _STRICT = ("-funsigned-char", "-fsanitize=undefined", "-fsanitize-undefined-trap-on-error", "-Werror=sequence-point")
 _NO_PIN = "RS330"  # of a port that the program has and does not reach
@@ -97,10 +98,21 @@ def _stub(line: str) -> str:
     )
 
 
+@cache
+def _machine() -> tuple[str, ...]:
+    """The option for the source's 32 bits, where the compiler has that."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "empty.c").write_text("#include <stdio.h>\nint main(void) { return 0; }\n")
+        done = subprocess.run(["gcc", "-m32", "empty.c"], cwd=folder, capture_output=True, check=False)
+    return ("-m32",) if not done.returncode else ()
+
+
 def _log(folder: Path, file: str, *flags: str) -> Log | None:
     """What a program writes; nothing if it cannot be compiled or ends by a signal."""
     made = folder / "program"
-    built = subprocess.run(["gcc", *_FLAGS, *flags, file, "-o", made], cwd=folder, capture_output=True, text=True, check=False)
+    built = subprocess.run(
+        ["gcc", *_FLAGS, *_machine(), *flags, file, "-o", made], cwd=folder, capture_output=True, text=True, check=False
+    )
     if built.returncode:
         (folder / "errors.txt").write_text(built.stderr)
         return None
@@ -114,7 +126,8 @@ def _log(folder: Path, file: str, *flags: str) -> Log | None:
 
 def truth(source: Path) -> Log | None:
     """The ports that a program uses on this computer, in order; nothing if it has no meaning."""
-    own = "static inline int port(int number) { return number; }\n__attribute__((destructor)) static void end(void) { compare(); }\n"
+    own = "static inline int port(int number) { return number; }\n"
+    own += "__attribute__((destructor)) static void end(void) { compare(); }\n"
     lines = "".join(f"#define {name}(...) {name}(__LINE__, __VA_ARGS__)\n" for name in _FUNCTIONS)
     folder = source.parent / "truth"  # the migration takes the headers beside a program for its own
     folder.mkdir()

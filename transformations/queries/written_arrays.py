@@ -65,7 +65,9 @@ class WrittenArrays:
             return function is None or "&" in str(function.returnType.spelling if function.returnType is not None else "")
         if isinstance(around, ccode.Call) and element is not around.calleeExpression:
             given = isinstance(around.callee, ccode.Function) and self._given(
-                around, list(around.arguments).index(element), inside=True  # type: ignore[arg-type]
+                around,
+                list(around.arguments).index(element),
+                inside=True,  # type: ignore[arg-type]
             )
             return given if isinstance(given, bool) else self.is_written(given)
         if isinstance(around, (ccode.InitializerList, ccode.ConstructorCall, ccode.MemberInitializer)):

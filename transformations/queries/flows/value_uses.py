@@ -34,13 +34,14 @@ class ValueUses:
 
     def __init__(self, reader: FlowReader) -> None:
         self.reader = reader
+        self._has_macros = any(macro.functionLike for view in reader.views for macro in view.unit.macros)
 
     def follow(self, view: CodeView) -> None:
         """Keep the numbers of all flows of a unit that have a value used in a way that is not followed."""
         for element in view.elements:
             if isinstance(element, _VALUES):
                 self._use(element, view)
-        if any(macro.functionLike for each in self.reader.views for macro in each.unit.macros):
+        if self._has_macros:
             self._repeated(view)
 
     def _repeated(self, view: CodeView) -> None:

@@ -4,9 +4,9 @@ The bound of a mask that is put together, stored, passed and returned is the uni
 from outside or where nothing bounds it. Which bits of a register a use touches is computed by `register_bits`.
 
 `GivenValues` finds the sources: the expressions that give variables, parameters, results and members their values. It reads the
-code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. Things count as one
-if a change of one may change the other: a pointer or reference and what it leads to, the elements of an array, the members of a
-union. What the text does not give values (parameters of constructors, of operators and of functions that are called through
+code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. Things count as
+one if a change of one may change the other: a pointer or reference and what it leads to, the elements of an array, the members of
+a union. What the text does not give values (parameters of constructors, of operators and of functions that are called through
 pointers, variables whose address a function of the platform takes) is given the element that says so, which has no known value.
 
 The sets are defined by each other. `FixedPoints` computes the least solution of their equations for what is asked and what that

@@ -38,7 +38,9 @@ def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expressi
     own = context.is_own(expansion)
     if context.function_like(expansion):
         return None if own else macro_call(context, node, expansion, build)
-    if own and (expansion.name in context.changing or node.start in context.divided or context.making == node.start or _has_call(node)):
+    if own and (
+        expansion.name in context.changing or node.start in context.divided or context.making == node.start or _has_call(node)
+    ):
         return None
     element = ccode.NameReference(name=expansion.name, **context.source.place(expansion.start, expansion.end))
     if expansion.name not in context.user_macros:
