@@ -265,10 +265,6 @@ class FlowReader:
                 self.flows.freeze(key, f"a macro makes it (line {literal.line})")
         return key
 
-    def follows(self, literal: ccode.IntegerLiteral) -> bool:
-        """Whether a number in the text is in a flow."""
-        return self.key(literal) in self._known
-
     def _is_constant(self, reference: ccode.NameReference) -> bool:
         """Whether a name is a pin of the board by the platform, and not the program's own."""
         target = reference.target

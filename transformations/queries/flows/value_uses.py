@@ -49,8 +49,9 @@ class ValueUses:
         places: dict[int, list[ccode.IntegerLiteral]] = {}
         for literal in view.of_kind(ccode.IntegerLiteral):
             places.setdefault(int(literal.startOffset), []).append(literal)
-        for same in places.values():
-            followed = [each for each in same if self.reader.follows(each)]
+        flows, path = self.reader.flows, str(view.unit.path)
+        for start, same in places.items():
+            followed = [each for each in same if flows.has(self.reader.key(each), path, start)]
             others = [each for each in same if each not in followed] if followed and len(same) > 1 else []
             whys = [self._why_kept(each, each.eContainer(), view) for each in others if _expansion(each) is None]
             for each in followed if any(whys) else ():
