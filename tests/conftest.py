@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+from collections.abc import Callable
 from itertools import count
 from pathlib import Path
 
@@ -67,6 +68,19 @@ def _own_data(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
 def copies(tmp_path_factory: pytest.TempPathFactory) -> Copies:
     """Folders that are filled once for all tests of this process."""
     return Copies(tmp_path_factory.mktemp("copies"))
+
+
+@pytest.fixture
+def restored(copies: Copies, monkeypatch: pytest.MonkeyPatch) -> Callable[[str, Callable[[Path], None]], Path]:
+    """`Copies.restored` with the data that the user had who filled the folder; they are in its folder `user`."""
+
+    def folder(name: str, fill: Callable[[Path], None]) -> Path:
+        user = copies.place_of(name) / "user"
+        monkeypatch.setenv("ROBOSMI_HOME", str(user))
+        monkeypatch.setenv("ROBOSMI_HISTORY", str(user / "history.sqlite"))
+        return copies.restored(name, fill)
+
+    return folder
 
 
 @pytest.fixture

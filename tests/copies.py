@@ -1,6 +1,7 @@
-"""Folders that many tests begin with, filled once for all tests of a process: each test gets a copy that it may change.
+"""Folders that many tests begin with, filled once for all tests of a process: each test gets them as they were filled.
 
-What is in the folder must not depend on where it lies; the output of a migration does not.
+A copy elsewhere (`into`) serves tests of what is in the folder, which must not depend on where it lies; the output of a migration
+does not. What a run stores of its user (the way back, the sources of an output folder) names places: it is there in `restored`.
 """
 
 from __future__ import annotations
@@ -35,4 +36,27 @@ class Copies:
             fill(begun)
             begun.rename(original)
         shutil.copytree(original, folder, dirs_exist_ok=True, symlinks=True)
+        return folder
+
+    def place_of(self, name: str) -> Path:
+        """Where `restored` puts a folder."""
+        return self._place / f"{name}.used"
+
+    def restored(self, name: str, fill: Callable[[Path], None]) -> Path:
+        """The folder that `fill` has filled, as it was then and at the same place; the test before has ended with it.
+
+        Args:
+            name: as for `into`.
+            fill: fills the folder that it gets.
+        """
+        folder = self.place_of(name)
+        if folder.exists():
+            shutil.rmtree(folder)
+        original = self._place / name
+        if original.exists():
+            shutil.copytree(original, folder, symlinks=True)
+        else:
+            folder.mkdir()
+            fill(folder)
+            shutil.copytree(folder, original, symlinks=True)
         return folder

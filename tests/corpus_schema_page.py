@@ -1,4 +1,4 @@
-"""The tables of docs/reference/corpus-schema.md, made from `robosmi.corpus.schema`.
+"""The tables of docs/reference/corpus-schema.md, made from `robosmi.corpus.store`.
 
 `python -m tests.corpus_schema_page` (make rules) writes the page anew; a test compares.
 What is around the tables is written by hand.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from robosmi.corpus.schema import TABLES, VERSION
+from robosmi.corpus.store import TABLES, VERSION
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "reference" / "corpus-schema.md"
 _MADE = re.compile(r"(?<=<!-- tables of a corpus -->\n).*\Z", re.DOTALL)

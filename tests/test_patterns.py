@@ -22,7 +22,6 @@ NOT_IN_THE_TEXT = {
     "robosmi/generate/formatters.py": "from the language of a template's user",
     "robosmi/generate/languages.py": "an escaped word",
     "robosmi/query/strings.py": "given by the user in a query, whose time is not limited",
-    "robosmi/verify/uploads/drives.py": "from data files, which are looked at here themselves",
     "robosmi/verify/uploads/upload.py": "from data files, which are looked at here themselves",
     "transformations/knowledge/board_models.py": "from data files, which are looked at here themselves",
     "transformations/knowledge/cores/core_recipes.py": "from an installed core, whose commands are run anyway",
@@ -31,8 +30,7 @@ NOT_IN_THE_TEXT = {
     "transformations/knowledge/wildcards.py": "made of words and stars of data files",
     "transformations/m2m/sketches/absent_names.py": "made of words and stars of data files",
     "transformations/verification/jobs.py": "from data files, which are looked at here themselves",
-    "transformations/verification/stubs.py": "a pattern with an escaped name",
-    "transformations/verification/originals.py": "from data files, which are looked at here themselves",
+    "transformations/verification/originals.py": "from data files, which are looked at here themselves; or an escaped name",
 }
 """Modules with a pattern that is only known when the program runs, with what it is made of."""
 

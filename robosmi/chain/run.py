@@ -6,10 +6,15 @@ depends on it is done again. A recomputed value that equals the old one counts a
 
 The value of a function that replaces a step must have the type that the function's annotation promises. Only the type itself
 and the members of tuples and unions are checked, not the contents of lists and mappings.
+
+`State` is the memory of a chain between runs: for each step the digests of its inputs and outputs, and its findings. It is
+stored in `.robosmi/chains` in the chain's folder. You can delete it at any time; then every step runs again.
 """
 
 from __future__ import annotations
 
+import hashlib
+import os
 import time
 import types
 import typing
@@ -18,29 +23,32 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from msgspec import Struct
+from msgspec.structs import asdict
 
 import robosmi
 from robosmi import inputs
+from robosmi.base.data_text import as_list, as_table, as_text, as_whole, json_of, json_written
 from robosmi.base.quantities import quantity
 from robosmi.chain.graph import Dependencies
-from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from, same_value
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
-from robosmi.files.files import free_name, write_atomic
+from robosmi.files.files import digest, free_name, write_atomic
 from robosmi.plugins import raised_by, unloadable
 
 if TYPE_CHECKING:
+    from robosmi.base.data_text import Json
     from robosmi.base.functions import Function
     from robosmi.chain.languages import Choice, StepContext  # all languages
     from robosmi.model.elements.dynamic import Dynamic
     from robosmi.model.session import Session
 
-
 T = TypeVar("T")
 V = TypeVar("V")
 Progress = Callable[[Step, StepResult | None], None]
 """Called for each step: without a result before it is done, with its result afterwards."""
+
+_SCHEMA = "robosmi-chain/1"
 
 
 class ChainResult(Struct):
@@ -162,7 +170,7 @@ class ChainRun:
 
     def _set(self, name: str, value: Any) -> None:
         """Store a value; digests of later steps use a new number for it, or its `repr` if the state outlives the run."""
-        if name in self.models and (self.models[name] is value or same_value(self.models[name], value)):
+        if name in self.models and (self.models[name] is value or _same_value(self.models[name], value)):
             return
         self._told += 1
         self.models[name] = value
@@ -218,7 +226,7 @@ class ChainRun:
         mending = self.fix is not None and step.kind == "validate" and known is not None and bool(known.findings)
         again = self.force or mending or (known is not None and known.changes)
         if known is not None and not again and known.inputs == inputs and self.intact(step, known):
-            result = StepResult(step, "up to date", findings=[finding_from(f) for f in known.findings], outputs=known.outputs)
+            result = StepResult(step, "up to date", findings=[_finding_from(f) for f in known.findings], outputs=known.outputs)
             result.state = "failed" if known.failed else result.state
         else:
             kept = self.guard(step, known)
@@ -241,7 +249,7 @@ class ChainRun:
             self.stopped |= set(step.models)
         if step.kind != "load" and step.makes and step.file is not None and result.state in ("done", "up to date"):
             files = (step.file, *step.metamodel_files())  # the same model again changes nothing after it
-            self.content[step.makes] = digest_of_all((str(n), digest_of(path)) for n, path in enumerate(files))
+            self.content[step.makes] = _digest_of_all((str(n), _digest_of(path)) for n, path in enumerate(files))
         return result
 
     def inputs(self, step: Step) -> str:
@@ -249,15 +257,15 @@ class ChainRun:
         settings = [robosmi.__version__, step.kind, step.makes, str(step.driver), step.greatest.name, str(step.strict)]
         parts = [("step", "\0".join(settings)), ("keep", str(self.keep and step.kind == "generate"))]
         parts += [(f"output {relative(p, self.folder)}", "") for p in step.outputs()]
-        parts += [(f"file {relative(p, self.folder)}", digest_of(p)) for p in step.inputs()]
+        parts += [(f"file {relative(p, self.folder)}", _digest_of(p)) for p in step.inputs()]
         if step.kind == "load" and (known := self.state.steps.get(step.name)) is not None:
-            parts += [(f"file {name}", digest_of(self.folder / name)) for name in known.read]
+            parts += [(f"file {name}", _digest_of(self.folder / name)) for name in known.read]
         parts += [(f"model {name}", self.content[name]) for name in step.models]
         if step.kind == "load" and step.function is None and step.file is not None:
             from robosmi.model.opening import code_of_driver  # a chain of functions loads nothing
 
-            parts += [(f"driver {path}", digest_of(path)) for path in code_of_driver(step.file, step.driver)]
-        return digest_of_all(parts)
+            parts += [(f"driver {path}", _digest_of(path)) for path in code_of_driver(step.file, step.driver)]
+        return _digest_of_all(parts)
 
     def intact(self, step: Step, known: StepState) -> bool:
         """Whether a step's outputs still exist unchanged."""
@@ -265,7 +273,7 @@ class ChainRun:
             return step.makes in self.models
         if step.kind == "load" or (step.makes and step.file is None):
             return True  # nothing but a model in memory, which is made when it is needed
-        return all(digest_of(self.folder / name) == value for name, value in known.outputs.items())
+        return all(_digest_of(self.folder / name) == value for name, value in known.outputs.items())
 
     def _stored(self, names: Iterable[str]) -> None:
         """Update the digests of loaded models that were written again, so that they do not count as changed."""
@@ -284,7 +292,7 @@ class ChainRun:
         reported = []
         for path in step.stored() if known is not None else []:
             name = relative(path, self.folder)
-            if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
+            if path.is_file() and known is not None and known.outputs.get(name) not in (None, _digest_of(path)):
                 if self.force:
                     kept = free_name(self.folder, f"{name}.orig")
                     if not self.dry_run:
@@ -402,7 +410,7 @@ class ChainRun:
         if self.dry_run:
             return
         result.outputs |= {relative(path, self.folder): "" for path in step.stored()}
-        result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
+        result.outputs = {name: _digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
         self.state.steps[step.name] = StepState(
             inputs, result.outputs, findings, result.state == "failed", result.changes, result.read
@@ -457,3 +465,102 @@ def described(value: Any) -> str:
     name = type(value).__name__
     members = f" of {len(value)} ({', '.join(type(part).__name__ for part in value)})" if isinstance(value, tuple) else ""
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}{members}"
+
+
+class StepState(Struct):
+    """A step's last run: digest of its inputs, outputs with their digests, findings; whether it changed a model that it reads.
+
+    Of a loaded model: the files that were read with it.
+    """
+
+    inputs: str
+    outputs: dict[str, str] = {}
+    findings: list[dict[str, Json]] = []
+    failed: bool = False
+    changes: bool = False
+    read: list[str] = []
+
+
+class State:
+    """The memory of a chain.
+
+    Args:
+        path: its file, which need not be there yet; None to remember nothing longer than the run lives.
+    """
+
+    def __init__(self, path: Path | None) -> None:
+        self.path = path
+        self.steps: dict[str, StepState] = {}
+        if path is not None and path.is_file():
+            try:
+                data = as_table(json_of(inputs.read_text(path, inputs.RECORD)))
+                if data["schema"] == _SCHEMA:
+                    self.steps = {name: _step_from(as_table(entry)) for name, entry in as_table(data["steps"]).items()}
+            except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+                raise SourceError(
+                    f"the record of the last run cannot be read: {error}",
+                    location=Location(str(path)),
+                    fix="remove it; then every step is done again",
+                ) from error
+
+    def save(self) -> None:
+        """Write the state atomically, unless nothing changed or nothing is to be remembered."""
+        if self.path is None:
+            return
+        steps = {name: asdict(entry) for name, entry in self.steps.items()}
+        data = (json_written({"schema": _SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
+        if inputs.read_bytes(self.path, inputs.RECORD) != data if self.path.is_file() else bool(steps):
+            write_atomic(self.path, data)
+
+
+def _step_from(entry: dict[str, Json]) -> StepState:
+    outputs = {name: as_text(made) for name, made in as_table(entry["outputs"]).items()}
+    findings = [as_table(finding) for finding in as_list(entry["findings"])]
+    read = [as_text(name) for name in as_list(entry.get("read", []))]
+    return StepState(as_text(entry["inputs"]), outputs, findings, bool(entry["failed"]), bool(entry.get("changes")), read)
+
+
+def _digest_of(path: Path) -> str:
+    """The digest of a file, or of a folder's files and their names; "" if there is nothing."""
+    if path.is_file():
+        return digest(inputs.read_bytes(path, inputs.OUTPUT))
+    if not path.is_dir():
+        return ""
+    found = hashlib.sha256()
+    for folder, folders, files in sorted(os.walk(path)):
+        folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
+        for name in sorted(files):
+            file = Path(folder, name)
+            found.update(f"{file.relative_to(path).as_posix()}\0".encode())
+            found.update(digest(inputs.read_bytes(file, inputs.OUTPUT)).encode())
+    return found.hexdigest()
+
+
+def _digest_of_all(parts: Iterable[tuple[str, str]]) -> str:
+    """A single digest of named digests."""
+    return digest("\n".join(f"{name}\0{value}" for name, value in parts).encode())
+
+
+def _finding_from(data: dict[str, Json]) -> Finding:
+    """A finding restored from the state."""
+
+    def text(key: str) -> str | None:
+        return None if data[key] is None else as_text(data[key])
+
+    place = _location_from(as_table(data["location"])) if data["location"] else None
+    message, evidence = as_text(data["message"]), as_table(data["evidence"])
+    level = Severity[as_text(data["severity"])]
+    return Finding(as_text(data["rule"]), level, message, place, text("element"), text("fix"), evidence)
+
+
+def _location_from(data: dict[str, Json]) -> Location:
+    numbers = {key: None if value is None else as_whole(value) for key, value in data.items() if key != "path"}
+    return Location(as_text(data["path"]), **numbers)
+
+
+def _same_value(one: object, other: object) -> bool:
+    """Whether two values are equal; those that cannot be compared are not."""
+    try:
+        return one.__class__ is other.__class__ and bool(one == other)
+    except (TypeError, ValueError):
+        return False

@@ -1,7 +1,7 @@
 """Model to text: the counterpart of EGL and EGX on Jinja2, with protected regions, three-way merge and atomic writing.
 
 `Gen` holds rules and runs them; `region_id` derives the ids of regions from the model; `formatters` indent. The application
-writes texts together with its models in one commit, using `last_generated` and `manifest`. Nothing here knows what is generated.
+writes texts together with its models in one commit, using `merge_edits` and `manifest`. Nothing here knows what is generated.
 docs/reference/egl.md compares it with EGL and EGX construct by construct.
 """
 

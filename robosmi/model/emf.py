@@ -218,18 +218,19 @@ class EmfModel(TypedModel):
         from robosmi.model.xmi.text_forms import is_json, is_yaml
 
         self.findings = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
-        place = Location(str(target))
+        where = Location(str(target))
         if self._edits.touched and self._read_with and target == self.path and target.is_file():
             if inputs.read_bytes(target, inputs.MODEL) == text:
                 names = ", ".join(sorted(each.name for each in self._read_with))
                 said = f"'{target.name}' has no change, and edits of files that were read with it are not saved ({names})"
-                self.findings.append(Finding(ELSEWHERE, Severity.warning, said, place, fix="save all files: Session.save_all()"))
+                self.findings.append(Finding(ELSEWHERE, Severity.warning, said, where, fix="save all files: Session.save_all()"))
             self._edits.touched = False
         apart = next((each for each in self.findings if each.rule == FOREIGN), None)
-        was_xmi = self.path is not None and not (is_json(self.path) or is_yaml(self.path))
-        if apart is not None and was_xmi and (is_json(target) or is_yaml(target)):
+        forms = [is_json(place) or is_yaml(place) for place in (self.path or target, target)]
+        if apart is not None and forms[0] != forms[1]:
             said = f"'{target.name}' lacks what is not in the model: {apart.message}"
-            self.findings.append(Finding(LEFT_OUT, Severity.warning, said, place, fix="save as XMI, which keeps it"))
+            fix = "save in the form of the file that was read, which keeps it"
+            self.findings.append(Finding(LEFT_OUT, Severity.warning, said, where, fix=fix))
 
     def to_bytes(
         self, path: str | Path | None = None, others: Mapping[str, Root] | None = None, *, keep_layout: bool = False

@@ -48,7 +48,7 @@ class Session:
     """
 
     def __init__(self, resolve: Hook | None = None, uris: Mapping[str, str | Path] | None = None) -> None:
-        self._reader = MetamodelReader()
+        self._reader = MetamodelReader(stand_ins=True)
         self._maker = PackageMaker()
         self._digests: dict[Path, str] = {}
         self._files = OpenFiles(resolve, uris)

@@ -30,10 +30,10 @@ from msgspec.structs import replace
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.recommend.tfidf import Postings
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import HeaderApi
+    from robosmi.recommend.tfidf import Postings
 
 FORMAT = 2
 """Number of the format: `PRAGMA user_version` of the file."""

@@ -133,11 +133,12 @@ def test_reasons_for_what_no_adapter_does_name_no_board() -> None:
     assert [line for line in told if re.search(r"\b(Uno|Mega|Leonardo|Nano|Pico|AVR)\b", line)] == []
 
 
-def test_a_servo_that_is_set_again_goes_on_until_its_pin_is_driven(tmp_path: Path) -> None:
+def test_a_servo_takes_its_last_width_at_each_frame_and_goes_on_until_its_pin_is_driven(tmp_path: Path) -> None:
     require_tools("arm-none-eabi-gcc", "arm-none-eabi-g++")
     require_engine("rp2040js")
     program = """
-void setup() { servo_angle(16, 900); pause(200); servo_angle(16, 0); pause(200); int32_t seen = get_state(16); pause(100);
+void setup() { servo_angle(16, 900); pause(200); for (int us = 0; us < 300; us += 100) servo_angle(16, us); servo_angle(16, 0);
+  pause(200); int32_t seen = get_state(16); pause(100);
   high(16); pause(100); Serial.println(seen); }
 void loop() {}
 """

@@ -96,7 +96,7 @@ def cold(folder: Path) -> Iterator[Figure]:
         in_children([*commands[0], str(folder / f"cold{number}")]) / in_children(commands[1]) for number in range(COLD_ROUNDS)
     ]
     yield Figure("cold migrate, to importing its packages", statistics.median(rounds), "x", 4.8)
-    yield Figure("cold migrate, modules of ours", int(said.split()[-1]), "", 500)
+    yield Figure("cold migrate, modules of ours", int(said.split()[-1]), "", 477)
 
 
 def warm(folder: Path) -> Iterator[Figure]:

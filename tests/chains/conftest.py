@@ -28,14 +28,15 @@ def line_follower(tmp_path: Path, examples: Path) -> Path:
 
 
 @pytest.fixture
-def migrated(line_follower: Path, tmp_path: Path, examples: Path, copies: Copies) -> Path:
+def migrated(line_follower: Path, examples: Path, copies: Copies) -> Path:
     """The output folder of a migration of the line follower: a copy, so no run of this test's user has made it."""
+    return migrated_copy(line_follower, examples, copies)
 
-    def fill(folder: Path) -> None:
-        robosmi.migrate([copied(examples, "line_follower", folder)], folder / "out")
 
-    copies.into(line_follower.parents[1], "line_follower", fill)
-    return tmp_path / "out"
+@pytest.fixture
+def migrated_study(case_study: Path, examples: Path, copies: Copies) -> Path:
+    """The same of each case study."""
+    return migrated_copy(case_study, examples, copies)
 
 
 @pytest.fixture
@@ -54,6 +55,15 @@ def robot(tmp_path: Path) -> Path:
     (folder / "robosmi.toml").write_text(SETTINGS)
     robosmi.migrate([folder / "blink.c"], folder / "out")
     return folder
+
+
+def migrated_copy(source: Path, examples: Path, copies: Copies) -> Path:
+    """The output folder of the migration of a case study, beside the folder of its source."""
+
+    def fill(folder: Path) -> None:
+        robosmi.migrate([copied(examples, source.stem, folder)], folder / "out")
+
+    return copies.into(source.parents[1], source.stem, fill) / "out"
 
 
 def copied(examples: Path, name: str, folder: Path) -> Path:

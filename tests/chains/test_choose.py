@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -17,21 +18,26 @@ from robosmi.recommend.history import History
 from robosmi.transformations.chains.choose import choose
 from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.queries.plans.choices import available_choices, choices_json
+from tests.chains.conftest import copied
 from tests.running import run, tree
 
 
 @pytest.fixture
-def program(line_follower: Path) -> Path:
-    """The line follower without the engineer's choices."""
-    (line_follower.parent / "robosmi.toml").write_text('# mine\n[migrate]\nhardware = "line_following_robot.fzz"  # drawn\n')
-    return line_follower
+def program(examples: Path, restored: Callable[[str, Callable[[Path], None]], Path]) -> Path:
+    """The line follower without the engineer's choices, migrated to `out` beside its folder."""
+
+    def fill(folder: Path) -> None:
+        source = copied(examples, "line_follower", folder)
+        (source.parent / "robosmi.toml").write_text('# mine\n[migrate]\nhardware = "line_following_robot.fzz"  # drawn\n')
+        robosmi.migrate([source], folder / "out")
+
+    return restored("line_follower without choices", fill) / "input" / "line_follower.c"
 
 
 @pytest.fixture
-def out(program: Path, tmp_path: Path) -> Path:
+def out(program: Path) -> Path:
     """The output folder of its migration."""
-    robosmi.migrate([program], tmp_path / "out")
-    return tmp_path / "out"
+    return program.parents[1] / "out"
 
 
 def chosen(out: Path, name: str) -> Any:

@@ -37,13 +37,14 @@ def report_of(output: Path) -> str:
     return (output / "line_follower" / "MIGRATION.md").read_text()
 
 
-def test_a_moved_folder_without_the_originals_gives_the_same_bytes(case_study: Path, tmp_path: Path) -> None:
-    robosmi.migrate([case_study], tmp_path / "out")
-    before = tree(tmp_path / "out")
+def test_a_moved_folder_without_the_originals_gives_the_same_bytes(
+    case_study: Path, migrated_study: Path, tmp_path: Path
+) -> None:
+    before = tree(migrated_study)
     shutil.rmtree(case_study.parent)
     moved = tmp_path / "elsewhere" / "sent by mail"
     moved.parent.mkdir()
-    (tmp_path / "out").rename(moved)
+    migrated_study.rename(moved)
     assert run("generate", moved / "models" / "plan.xmi", "-o", tmp_path / "again").code == 0
     again = tree(tmp_path / "again")
     assert {n: d for n, d in again.items() if n != ".robosmi.json"} == {n: d for n, d in before.items() if n != ".robosmi.json"}
@@ -82,10 +83,9 @@ def test_a_port_that_nobody_gives_a_function_is_no_fault_of_the_plan(tmp_path: P
     ).read_text()
 
 
-def test_two_migrations_into_two_folders_are_equal(case_study: Path, tmp_path: Path) -> None:
+def test_two_migrations_into_two_folders_are_equal(case_study: Path, migrated_study: Path, tmp_path: Path) -> None:
     robosmi.migrate([case_study], tmp_path / "a")
-    robosmi.migrate([case_study], tmp_path / "b")
-    assert tree(tmp_path / "a") == tree(tmp_path / "b")
+    assert tree(tmp_path / "a") == tree(migrated_study)
 
 
 def test_the_sketch_follows_an_edited_binding(migrated: Path) -> None:
@@ -292,9 +292,8 @@ def test_an_edit_within_what_another_change_takes_away_has_no_effect_and_is_a_fi
     assert sketch_of(migrated) == before
 
 
-def test_the_plan_of_the_api_is_the_plan_that_is_stored(case_study: Path, tmp_path: Path) -> None:
+def test_the_plan_of_the_api_is_the_plan_that_is_stored(case_study: Path, migrated_study: Path) -> None:
     planned = robosmi.plan_migration([case_study])
-    robosmi.migrate([case_study], tmp_path / "out")
-    stored = robosmi.load_model(tmp_path / "out" / "models" / "plan.xmi")
+    stored = robosmi.load_model(migrated_study / "models" / "plan.xmi")
     assert [(b.name, b.choice) for b in planned.plan.portBindings] == [(b.name, b.choice) for b in stored.portBindings]
     assert [c.choice for c in planned.plan.libraryChoices] == [c.choice for c in stored.libraryChoices]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,7 @@ from robosmi.transformations.chains.migrate import migrate
 from tests.running import run, tree
 
 FIRST = '#include "simpletools.h"\nint main() { while (1) { high(3); pause(5); } }\n'
+SECOND = FIRST.replace("high(3)", "low(3)").replace("pause(5)", "ping_cm(7)")
 
 
 @pytest.fixture
@@ -27,15 +29,29 @@ def program(tmp_path: Path) -> Path:
     return path
 
 
+def run_twice(folder: Path) -> None:
+    """Migrate the program to `out`, and a changed one once more; `first` is what `out` was between."""
+    source = folder / "blink.c"
+    source.write_text(FIRST)
+    robosmi.migrate([source], folder / "out")
+    shutil.copytree(folder / "out", folder / "first")
+    source.write_text(SECOND)
+    robosmi.migrate([source], folder / "out")
+
+
 @pytest.fixture
-def twice(program: Path, tmp_path: Path) -> tuple[dict[str, str], dict[str, str], Path]:
+def twice(program: Path, restored: Callable[[str, Callable[[Path], None]], Path]) -> tuple[dict[str, str], dict[str, str], Path]:
     """The output folder after a first run and after a second one with another program, and its place."""
-    out = tmp_path / "out"
-    robosmi.migrate([program], out)
-    first = tree(out)
-    program.write_text(FIRST.replace("high(3)", "low(3)").replace("pause(5)", "ping_cm(7)"))
-    robosmi.migrate([program], out)
-    return first, tree(out), out
+    folder = restored("blink migrated twice", run_twice)
+    program.write_text(SECOND)
+    return tree(folder / "first"), tree(folder / "out"), folder / "out"
+
+
+@pytest.fixture
+def twice_here(program: Path) -> tuple[dict[str, str], dict[str, str], Path]:
+    """The same by runs of this test: a folder that was moved is known by its number on the disk, which no copy has."""
+    run_twice(program.parent)
+    return tree(program.parent / "first"), tree(program.parent / "out"), program.parent / "out"
 
 
 def test_undo_puts_the_last_state_back_and_again_forth(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
@@ -116,8 +132,10 @@ def test_undo_of_the_first_run_leaves_nothing_of_it(program: Path, tmp_path: Pat
     assert (program.parent / "robosmi.toml").read_text() == '[migrate]\ntarget = "nano"\n'
 
 
-def test_a_folder_that_was_moved_has_its_way_back(twice: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path) -> None:
-    first, second, out = twice
+def test_a_folder_that_was_moved_has_its_way_back(
+    twice_here: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path
+) -> None:
+    first, second, out = twice_here
     (tmp_path / "elsewhere").mkdir()
     moved = tmp_path / "elsewhere" / "moved"
     out.rename(moved)
@@ -132,9 +150,9 @@ def test_a_folder_that_was_moved_has_its_way_back(twice: tuple[dict[str, str], d
 
 
 def test_a_folder_that_was_undone_elsewhere_and_moved_back_goes_on_from_there(
-    twice: tuple[dict[str, str], dict[str, str], Path], program: Path, tmp_path: Path
+    twice_here: tuple[dict[str, str], dict[str, str], Path], program: Path, tmp_path: Path
 ) -> None:
-    first, second, out = twice
+    first, second, out = twice_here
     moved = tmp_path / "moved"
     out.rename(moved)
     undo(moved)
@@ -179,8 +197,8 @@ def test_a_moved_folder_whose_former_place_is_taken_has_no_way_back(
     assert tree(tmp_path / "moved") == second
 
 
-def test_an_edit_in_a_moved_folder_stops_undo(twice: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path) -> None:
-    _, _, out = twice
+def test_an_edit_in_a_moved_folder_stops_undo(twice_here: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path) -> None:
+    _, _, out = twice_here
     out.rename(tmp_path / "moved")
     sketch = tmp_path / "moved" / "blink" / "blink.ino"
     sketch.write_text(sketch.read_text() + "// mine\n")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.copies import Copies
 from tests.running import run
 
 CASES = Path(__file__).parent / "cases"
@@ -31,9 +32,13 @@ def case_study(request: pytest.FixtureRequest, tmp_path: Path, examples: Path) -
 
 
 @pytest.fixture
-def migrated(line_follower: Path, tmp_path: Path) -> Path:
-    """The output folder of a migration of the line follower."""
-    assert run("migrate", line_follower, "-o", tmp_path / "out").code == 0
+def migrated(line_follower: Path, tmp_path: Path, examples: Path, copies: Copies) -> Path:
+    """The output folder of a migration of the line follower: a copy, so no run of this test's user has made it."""
+
+    def fill(folder: Path) -> None:
+        assert run("migrate", copied(examples, "line_follower", folder), "-o", folder / "out").code == 0
+
+    copies.into(line_follower.parents[1], "line_follower by the command line", fill)
     return tmp_path / "out"
 
 

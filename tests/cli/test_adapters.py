@@ -76,6 +76,14 @@ def test_own_adapter_files_go_before_the_built_in_ones(place: str, project: Path
     ]  # fmt: skip
 
 
+def test_the_list_ends_with_how_many_functions_have_an_adapter() -> None:
+    rows = run("adapters", "list", "--json").document["result"]["adapters"]
+    lines = run("adapters", "list").out.splitlines()
+    filled = sum(row["status"] in ("filled", "care") for row in rows)
+    assert lines[-1] == f"{filled} of {len(rows)} functions have an adapter"
+    assert sum(line.startswith("simpletools.h ") for line in lines) == sum(row["header"] == "simpletools.h" for row in rows)
+
+
 def test_other_code_in_a_folder_of_that_name_is_left_alone(project: Path) -> None:
     (project / "adapters").mkdir()
     (project / "adapters" / "usb.cpp").write_text("// an adapter for USB\nint main() {}\n")

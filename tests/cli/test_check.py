@@ -156,7 +156,11 @@ def test_a_model_of_several_metamodels_is_checked_with_all_of_them(tmp_path: Pat
     assert code == 0, document["findings"]
     assert document["result"]["models"] == [{"model": "x", "elements": 2, "constraints": 0}]
     code, document = run("check", model, *both[:2], capsys=capsys)
-    assert (code, [finding["rule"] for finding in document["findings"]]) == (0, ["RS610"])
+    said = [(finding["rule"], finding["severity"]) for finding in document["findings"]]
+    assert (code, said) == (1, [("RS610", "error")])  # as in Eclipse EMF
+    code, document = run("query", model, "Shelf.all.size()", *both[:2], capsys=capsys)
+    said = [(finding["rule"], finding["severity"]) for finding in document["findings"]]
+    assert (code, document["result"]["value"], said) == (0, 1, [("RS610", "warning")])
 
 
 ODD = """<?xml version="1.0" encoding="UTF-8"?>

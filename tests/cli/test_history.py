@@ -131,7 +131,7 @@ def test_a_locked_history_is_read_as_it_was(remembered: History, line_follower: 
 def test_a_history_that_another_program_holds_is_done_without(
     remembered: History, line_follower: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("robosmi.recommend.history_database._WAIT_S", 0.1)
+    monkeypatch.setattr("robosmi.recommend.history._WAIT_S", 0.1)
     before = remembered.entries()
     with closing(sqlite3.connect(remembered.place, isolation_level=None)) as db:
         db.execute("BEGIN EXCLUSIVE")

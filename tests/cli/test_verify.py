@@ -19,7 +19,7 @@ from robosmi.transformations.chains.watch import WatchedFolder
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import FILE
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
-from tests.running import run, tree
+from tests.running import Outcome, run, tree
 from tests.tiers import sample
 from tests.tools import require_verification
 
@@ -49,18 +49,17 @@ def out(made: Path, tmp_path: Path) -> Path:
 
 
 @pytest.fixture(scope="module")
-def made_and_searched(made: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The migrated button program with the scenarios that a search has found, made once."""
+def made_and_searched(made: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Outcome]:
+    """The migrated button program with the scenarios that a search has found, made once, and what that run said."""
     folder = tmp_path_factory.mktemp("searched") / "out"
     shutil.copytree(made, folder)
-    verify(folder)
-    return folder
+    return folder, run("verify", folder, "--json")
 
 
 @pytest.fixture
-def searched(made_and_searched: Path, tmp_path: Path) -> Path:
+def searched(made_and_searched: tuple[Path, Outcome], tmp_path: Path) -> Path:
     """A copy of it."""
-    shutil.copytree(made_and_searched, tmp_path / "searched")
+    shutil.copytree(made_and_searched[0], tmp_path / "searched")
     return tmp_path / "searched"
 
 
@@ -149,19 +148,19 @@ def test_a_person_may_write_it_otherwise(out: Path, pressed: Path) -> None:
     assert run("verify", out, "--scenario", pressed).code == 0
 
 
-def test_scenarios_are_made_stored_and_used_again(out: Path) -> None:
-    outcome = run("verify", out, "--json")
+def test_scenarios_are_made_stored_and_used_again(made_and_searched: tuple[Path, Outcome], searched: Path) -> None:
+    _, outcome = made_and_searched
     assert outcome.code == 0, outcome.document
     result = outcome.result
     assert {s["origin"] for s in result["scenarios"]} == {"generated"}
     assert result["source_coverage"]["branches_pct"] == 100.0
-    stored = sorted((out / "models" / "scenarios").glob("*.toml"))
+    stored = sorted((searched / "models" / "scenarios").glob("*.toml"))
     assert len(stored) == len(result["scenarios"]) > 1
     kinds = [a["kind"] for a in outcome.document["artifacts"] if a["kind"] != "picture"]
     assert kinds == ["scenario"] * len(stored) + ["search"]
-    again = run("verify", out, "--json").result
+    again = run("verify", searched, "--json").result
     assert {s["origin"] for s in again["scenarios"]} == {"stored"}
-    assert sorted((out / "models" / "scenarios").glob("*.toml")) == stored
+    assert sorted((searched / "models" / "scenarios").glob("*.toml")) == stored
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.transformations.verification.stubs import with_stubs
+from robosmi.transformations.verification.originals import with_stubs
 from tests.running import run
 from tests.tools import require_verification
 

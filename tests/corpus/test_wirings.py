@@ -20,8 +20,8 @@ from robosmi.project import Project
 from robosmi.transformations.chains.hardware import HardwareAnalysis, hardware
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.m2m.circuits.wokwi_wiring import wokwi_wiring
-from robosmi.transformations.m2t.circuits.wokwi_project import diagram_text
 from robosmi.transformations.m2t.pin_table import pin_table
+from robosmi.transformations.m2t.sketch_project import diagram_text
 from robosmi.transformations.t2m.wokwi.document import read_diagram
 from tests.wiring.elements import wokwi_elements
 

@@ -22,6 +22,7 @@ import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.verify import verify
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.queries.plans.port_pins import CONSOLE
 from robosmi.verify.traces.verdict import NO_DIFFERENCE, Verdict
 from tests.corpus.migrate_corpus import programs
 
@@ -45,6 +46,8 @@ def migrated(files: list[Path], wiring: Mapping[str, str], folder: Path, board: 
     open_ports: list[tuple[str, int]] = []
     placed: dict[int, str] = {}  # of a port that has several names
     for binding in made.plan.portBindings:
+        if binding.choice == CONSOLE:  # it has no pins here
+            continue
         wired = next((wiring[name] for name in (str(binding.name), *map(str, binding.names)) if name in wiring), None)
         if wired is None:
             open_ports.append((str(binding.name), int(binding.sourcePin)))

@@ -15,8 +15,7 @@ from contextlib import closing
 from pathlib import Path
 
 from robosmi.cli.main import main
-from robosmi.corpus.schema import TABLES
-from robosmi.corpus.store import Store
+from robosmi.corpus.store import TABLES, Store
 
 HERE = Path(__file__).parent
 EXPECTED = HERE / "expected"

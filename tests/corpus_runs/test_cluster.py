@@ -16,8 +16,8 @@ import pytest
 from robosmi.corpus import cluster as clusters_of_dask, memory
 from robosmi.corpus.cluster import run_on_cluster
 from robosmi.corpus.jobs import Limits, ProgramJob, ProgramResult, ProgramWork
-from robosmi.corpus.schema import TABLES, VERDICTS
 from robosmi.corpus.states import DONE, SKIPPED
+from robosmi.corpus.store import TABLES, VERDICTS
 from robosmi.errors import SourceError
 from tests.corpus_runs.clusters import Process, cluster, finished, other_worker, run_with_a_lost_worker, until_lines
 from tests.corpus_runs.running_corpora import command, copied, environment, faulty, rows, run_faulty, stopped

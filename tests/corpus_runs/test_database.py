@@ -12,7 +12,7 @@ import pytest
 from sqlalchemy import create_engine, text
 from sqlalchemy.pool import NullPool
 
-from robosmi.corpus.schema import TABLES
+from robosmi.corpus.store import TABLES
 from tests.corpus_runs.clusters import run_with_a_lost_worker, until_lines
 from tests.corpus_runs.running_corpora import command, copied, environment, faulty, run_faulty
 from tests.running import run

@@ -13,7 +13,7 @@ import pytest
 
 import robosmi
 from robosmi.corpus.report import clusters, greedy_cover, histogram, kind_of_message
-from robosmi.corpus.schema import TABLES
+from robosmi.corpus.store import TABLES
 from robosmi.errors import SourceError
 from tests.corpus_runs.running_corpora import copied, rows
 from tests.running import run

@@ -27,6 +27,7 @@ NOT_EMF = {
     "two_files": "EMF knows Ecore by its namespace only",
     "several_refused": "we refuse it",
     "misspelt": "EMF refuses it",
+    "missing": "EMF reports the neighbours that are not there",
     "bare": "EMF refuses a package without a namespace",
     "classifier_roots": "a model of Ecore and no metamodel: see test_classifier_roots",
     "odd_names": "EMF refuses a package without a namespace",

@@ -153,6 +153,36 @@ def test_simple_functions_and_commands_take_json(tmp_path: Path) -> None:
 
 # --- faults
 
+
+@pytest.mark.parametrize(
+    "path", [FOLDER / "illegal.json", FOLDER.parent / "yaml_models" / "illegal.yaml"], ids=lambda p: p.suffix
+)
+def test_a_value_that_its_type_does_not_take_is_a_finding_and_stays_in_the_file(path: Path, tmp_path: Path) -> None:
+    """As in XMI; the lines are those of the keys."""
+    copy = Path(shutil.copy(path, tmp_path))
+    model = EmfModel.load(copy, kitchen())
+    lines = [7, 8, 9] if path.suffix == ".json" else [5, 6, 7]
+    assert [(each.rule, each.location and each.location.line) for each in model.findings] == [("RS610", line) for line in lines]
+    first, second = model.all_of_kind("Item")
+    assert ([*first.nums], [*first.three], second.d) == ([1, 3], [], 1.5)
+    model.save()
+    assert copy.read_bytes() == path.read_bytes()
+    first.i = 2
+    model.save()
+    text = copy.read_text()
+    assert ("heavy" in text, "two" in text, text.count("12345678901")) == (False, True, 2)
+    first.nums.append(9)
+    model.save(tmp_path / "other.json")
+    assert json.loads((tmp_path / "other.json").read_text())["items"] == [
+        {"name": "a", "i": 2, "nums": [1, 3, 9], "three": [12345678901, True]},
+        {"name": "b", "kind": "gamma", "d": 1.5, "i": 12345678901},
+    ]
+    model.save(tmp_path / "other.xmi")
+    assert [each.rule for each in model.findings] == ["RS610", "RS610", "RS610", "RS612"]
+    with pytest.raises(ModelError, match="no whole number"):
+        EmfModel.load(copy, kitchen(), strict=True)
+
+
 BAD = {
     "duplicate_key": 4, "duplicate_key_inside": 7, "cut_off": 4, "comma_at_the_end": 3, "comment": 2, "not_a_number": 3,
     "no_class": 1, "list_of_numbers": 1, "unknown_class": 2, "unknown_namespace": 2, "metamodel": 2, "abstract_root": 2,
@@ -160,7 +190,7 @@ BAD = {
     "list_for_one": 3, "one_for_many": 3, "object_for_value": 3, "text_for_element": 3, "reference_without_ref": 3,
     "more_beside_ref": 10,
 }  # fmt: skip
-"""Files that are refused -> the line of the fault."""
+"""Files that a strict read refuses -> the line of the fault."""
 
 
 def test_every_bad_file_is_listed() -> None:
@@ -170,7 +200,7 @@ def test_every_bad_file_is_listed() -> None:
 @pytest.mark.parametrize("name", BAD)
 def test_a_fault_has_its_place_and_what_to_do(name: str) -> None:
     with pytest.raises(RobosmiError) as caught:
-        graph(FOLDER / "bad" / f"{name}.json")
+        EmfModel.load(FOLDER / "bad" / f"{name}.json", SPLIT / "g.ecore", strict=True)
     assert caught.value.location is not None
     assert (caught.value.location.line, Path(caught.value.location.path).stem) == (BAD[name], name)
     assert caught.value.fix

@@ -109,7 +109,7 @@ BAD = {
     "duplicate_key": 3, "duplicate_key_inside": 5, "anchor": 3, "alias": 3, "bomb": 1, "tag": 2, "two_documents": 2, "cut_off": 3,
     "tab": 2, "list_as_key": 2, "no_class": 1, "unknown_feature": 2, "empty": 1, "no_whole_number": 3, "control_character": 2,
 }  # fmt: skip
-"""Files that are refused -> the line of the fault."""
+"""Files that a strict read refuses -> the line of the fault."""
 
 
 def test_every_bad_file_is_listed() -> None:
@@ -119,7 +119,7 @@ def test_every_bad_file_is_listed() -> None:
 @pytest.mark.parametrize("name", BAD)
 def test_a_fault_has_its_place_and_what_to_do(name: str) -> None:
     with pytest.raises(RobosmiError) as caught:
-        graph(FOLDER / "bad" / f"{name}.yaml")
+        EmfModel.load(FOLDER / "bad" / f"{name}.yaml", SPLIT / "g.ecore", strict=True)
     assert caught.value.location is not None
     assert (caught.value.location.line, Path(caught.value.location.path).stem) == (BAD[name], name)
     assert caught.value.fix

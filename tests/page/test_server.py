@@ -9,7 +9,7 @@ import re
 import shutil
 import socket
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
 from pathlib import Path
 from threading import Thread
@@ -28,12 +28,15 @@ PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high
 
 
 @pytest.fixture
-def out(tmp_path: Path) -> Path:
+def out(restored: Callable[[str, Callable[[Path], None]], Path]) -> Path:
     """A migration of a small program."""
-    (tmp_path / "blink").mkdir()
-    (tmp_path / "blink" / "blink.c").write_text(PROGRAM)
-    robosmi.migrate([tmp_path / "blink" / "blink.c"], tmp_path / "blink" / "out")
-    return tmp_path / "blink" / "out"
+
+    def fill(folder: Path) -> None:
+        (folder / "blink").mkdir()
+        (folder / "blink" / "blink.c").write_text(PROGRAM)
+        robosmi.migrate([folder / "blink" / "blink.c"], folder / "blink" / "out")
+
+    return restored("page of blink", fill) / "blink" / "out"
 
 
 @pytest.fixture
@@ -241,7 +244,7 @@ def test_a_link_in_the_folder_leads_to_no_text_from_elsewhere(out: Path, tmp_pat
 @pytest.mark.skipif(os.name == "nt", reason="links need rights there")
 @pytest.mark.parametrize("what", ["the plan", "the models' folder", "the picture", "the record"])
 def test_no_link_in_the_folder_shows_another_migration(what: str, out: Path, tmp_path: Path) -> None:
-    other = tmp_path / "blink" / "other"
+    other = out.parent / "other"
     shutil.copytree(out, other)
     names = {"the plan": "models/plan.xmi", "the models' folder": "models", "the picture": "models/verification.svg"}
     place = out / names.get(what, ".robosmi.json")
@@ -389,7 +392,7 @@ def test_a_page_with_nothing_on_it_says_so(out: Path, tmp_path: Path) -> None:
 def test_a_browser_lays_out_a_long_list_where_it_is_seen(out: Path, tmp_path: Path, parts: int, lazily: bool) -> None:
     table = tmp_path / "pins.csv"
     table.write_text("pin,part,title\n" + "".join(f"D{number % 10 + 2},Gizmo,gizmo {number}\n" for number in range(parts)))
-    robosmi.migrate([tmp_path / "blink" / "blink.c"], out, hardware=table)
+    robosmi.migrate([out.parent / "blink.c"], out, hardware=table)
     text = PlanPage(out).document(live=True, nonce="n")
     assert text.count('data-choice="role') == parts
     assert bool(re.search(r'class="choices[^"]* many\b', text)) == lazily

@@ -21,8 +21,17 @@ from msgspec.structs import replace
 from robosmi.errors import MissingToolError, SourceError, UsageError
 from robosmi.model import load_model, save_model
 from robosmi.recommend.history import ForgivingHistory, History, HistoryEntry, Targets, chosen_from_history, default_place
-from robosmi.recommend.history_exchange import SCHEMA, from_csv, from_json, to_csv, to_json
-from robosmi.transformations.chains.history import export_history, history_to_model, import_history, model_to_history
+from robosmi.transformations.chains.history import (
+    SCHEMA,
+    export_history,
+    from_csv,
+    from_json,
+    history_to_model,
+    import_history,
+    model_to_history,
+    to_csv,
+    to_json,
+)
 from tests.fuzz.history import write_at_once
 
 DAY = date(2026, 11, 21)
@@ -290,7 +299,7 @@ def test_sixteen_runs_make_a_history_and_write_into_it_and_nothing_is_lost(tmp_p
 
 
 def test_a_lock_under_which_nobody_writes_is_said(history: History, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("robosmi.recommend.history_database._WAIT_S", 0.1)
+    monkeypatch.setattr("robosmi.recommend.history._WAIT_S", 0.1)
     history.record("p", "t", "A")
     with closing(sqlite3.connect(history.place)) as other:
         other.execute("BEGIN IMMEDIATE")

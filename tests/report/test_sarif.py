@@ -12,6 +12,7 @@ import pytest
 from robosmi.diagnostics import Finding, FlowStep, Location, Severity, Task, TextEdit
 from robosmi.report import Report
 from robosmi.report.sarif import FINGERPRINT, sarif_document, sarif_text
+from tests.copies import Copies
 from tests.running import run
 from tests.sarif_judge import TOOL, complaints
 from tests.tools import require_tools
@@ -41,11 +42,16 @@ def of_rule(log: dict[str, Any], rule: str) -> list[dict[str, Any]]:
 
 
 @pytest.fixture
-def migrated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
-    """What migrating the program above finds."""
+def migrated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, copies: Copies) -> dict[str, Any]:
+    """What migrating the program above finds, in a folder that has all of it."""
+
+    def fill(folder: Path) -> None:
+        monkeypatch.chdir(folder)
+        Path("robot.c").write_text(PROGRAM, encoding="utf-8")
+        run("migrate", "robot.c", "-o", "out", "--widths", "keep", "--sarif", "found.sarif")
+
+    copies.into(tmp_path, "robot in SARIF", fill)
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "robot.c").write_text(PROGRAM, encoding="utf-8")
-    run("migrate", "robot.c", "-o", "out", "--widths", "keep", "--sarif", "found.sarif")
     return the_run(tmp_path / "found.sarif")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -13,17 +14,19 @@ from tests.tools import require_tools
 
 PROGRAM = """\
 int Serial1 = 3, PORTL;
-enum { A9 = 5, PINE };
-int main(void) { PORTL = A9 + PINE; while (1) Serial1 += PORTL; }
+enum { A9 = 5, PINE, D5 };
+void setup1(void) { PORTL = D5; }
+int main(void) { PORTL = A9 + PINE; setup1(); while (1) Serial1 += PORTL; }
 """
 
 
 @pytest.mark.parametrize(
     ("target", "kept", "renamed"),
     [
-        ("uno", ["Serial1", "PORTL", "A9", "PINE"], []),
-        ("mega", [], ["Serial1", "PORTL", "A9", "PINE"]),
-        ("leonardo", ["PORTL"], ["Serial1", "A9", "PINE"]),
+        ("uno", ["Serial1", "PORTL", "A9", "PINE", "D5", "setup1"], []),
+        ("mega", ["D5", "setup1"], ["Serial1", "PORTL", "A9", "PINE"]),
+        ("leonardo", ["PORTL", "D5", "setup1"], ["Serial1", "A9", "PINE"]),
+        ("pico", ["PORTL", "A9", "PINE"], ["Serial1", "D5", "setup1"]),  # setup1 would run on the second core
     ],
 )
 def test_names_of_the_board_are_renamed(target: str, kept: list[str], renamed: list[str], tmp_path: Path) -> None:
@@ -31,7 +34,7 @@ def test_names_of_the_board_are_renamed(target: str, kept: list[str], renamed: l
     program.write_text(PROGRAM)
     made = robosmi.migrate([program], tmp_path / "out", target=target)
     text = (made.sketch / "names.ino").read_text()
-    words = set(text.replace(",", " ").replace(";", " ").split())
+    words = set(re.findall(r"\w+", text))
     assert words.issuperset(kept)
     assert words.isdisjoint(renamed)
     assert words.issuperset(f"{name}_" for name in renamed)

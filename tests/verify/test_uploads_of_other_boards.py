@@ -72,7 +72,7 @@ def mounted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The place where drives are mounted, instead of the system's."""
     folder = tmp_path / "media"
     folder.mkdir()
-    monkeypatch.setattr("robosmi.verify.uploads.drives.glob", lambda _: sorted(str(path) for path in folder.iterdir()))
+    monkeypatch.setattr("robosmi.verify.uploads.upload.glob", lambda _: sorted(str(path) for path in folder.iterdir()))
     return folder
 
 
@@ -155,7 +155,7 @@ def test_a_drive_that_is_full_is_told(tmp_path: Path, mounted: Path, tools: Path
     def full(*_: object) -> int:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("robosmi.verify.uploads.drives.os.write", full)
+    monkeypatch.setattr("robosmi.verify.uploads.upload.os.write", full)
     with pytest.raises(UploadError, match="No space left on device after 0 of 1536 bytes"):
         upload_sketch(kept(tmp_path, "pico", ".uf2", uf2()))
 
@@ -169,7 +169,7 @@ def test_a_board_that_restarts_before_the_copy_ends_has_its_program(
         shutil.rmtree(place)
         raise OSError(5, "Input/output error")
 
-    monkeypatch.setattr("robosmi.verify.uploads.drives.os.fsync", restarts)
+    monkeypatch.setattr("robosmi.verify.uploads.upload.os.fsync", restarts)
     assert upload_sketch(kept(tmp_path, "pico", ".uf2", uf2())).sent
 
 

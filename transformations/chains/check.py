@@ -38,6 +38,8 @@ from robosmi.transformations.constraints.finding_locations import in_file
 
 DAMAGING = frozenset({"RS258"})
 """Rules whose errors say that a pin of the board may be destroyed. The user who knows better accepts them (`[[accept]]`)."""
+_CONTRADICTIONS = frozenset({"RS607", "RS608", "RS609", "RS610", "RS613"})
+"""Rules whose warnings, for those who only read a model, are errors when it is checked, as in Eclipse EMF's validation."""
 
 
 class Checked:
@@ -65,7 +67,8 @@ class Checked:
             return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
         if self.sound is None:
             known = ", ".join(registry().names(KIND))
-            return [f"no constraints for this model; known: {known}"]
+            read = [f"{m['model']}: {m['elements']} elements" for m in self.models]
+            return [*read, f"no constraints for this model; known: {known}"]
         return [self.sound] if self.sound else []
 
 
@@ -98,7 +101,7 @@ def _checked(file: Path, metamodels: Sequence[Path], target: str | None) -> Chec
         )
     if metamodels:
         metamodel = Metamodel.load(*metamodels)
-        done.findings += metamodel.findings
+        done.findings += _judged(metamodel.findings)
         return _validated(done, [open_model(file, "emf", metamodel=metamodel)])
     if is_drawing(file):
         read = drawing_for(file, done.project.roles, target)
@@ -106,7 +109,7 @@ def _checked(file: Path, metamodels: Sequence[Path], target: str | None) -> Chec
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix == ".ecore":
         made = render([file])
-        odd = [*made.findings, *lint(file, load_metamodels([file]))]
+        odd = [*made.findings, *_judged(lint(file, load_metamodels([file])))]
         done.findings += odd  # whatever keeps a metamodel from being used is an error with all its reasons
         done.sound = "" if odd else f"{file}: the metamodel is correct ({made.classes} classes)"
     if file.suffix != ".xmi":
@@ -129,7 +132,7 @@ def _checked(file: Path, metamodels: Sequence[Path], target: str | None) -> Chec
 
 def _validated(done: Checked, models: Sequence[Model]) -> Checked:
     for model in models:
-        done.findings += model.findings if isinstance(model, EmfModel) else []
+        done.findings += _judged(model.findings) if isinstance(model, EmfModel) else []
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
             found = one.run(model, *_referred(model, models))
@@ -138,6 +141,13 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
         counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
+
+
+def _judged(findings: Sequence[Finding]) -> list[Finding]:
+    return [
+        replace(each, severity=Severity.error) if each.rule in _CONTRADICTIONS and each.severity is Severity.warning else each
+        for each in findings
+    ]
 
 
 def _with_port(finding: Finding, element: object) -> Finding:

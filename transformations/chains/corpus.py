@@ -1,7 +1,8 @@
-"""The steps of a corpus run: the chains `analyse`, `migrate`, `compile` and `verify` for one program, with table rows as results.
+"""The steps of a corpus run: the chains `analyse`, `migrate`, `compile` and `verify` for one program, with table rows as
+results.
 
-`robosmi.corpus` runs them in worker processes; its `schema` says what the columns mean. A step leaves for the next ones what they
-need in `work.results`. Here is also which files are programs, and which files the results of a program depend on.
+`robosmi.corpus` runs them in worker processes; its `store` says what the columns mean. A step leaves for the next ones what
+they need in `work.results`. Here is also which files are programs, and which files the results of a program depend on.
 """
 
 from __future__ import annotations

@@ -27,10 +27,9 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.library_steps import library_decisions, make_ranker, previous_choices
+from robosmi.transformations.chains.library_steps import history_findings, library_decisions, make_ranker, previous_choices
 from robosmi.transformations.chains.retained_program import RetainedProgram, new_board, retained_program
 from robosmi.transformations.chains.source_board import SourceBoard, find_source_board
-from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
 from robosmi.transformations.chains.stages.edited_plan import import_choices
 from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing

@@ -32,7 +32,7 @@ from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import FOLDER, MigrationModels, stored_models
 from robosmi.transformations.chains.stages.sources import project_folder
-from robosmi.transformations.m2t import page_code, page_sections
+from robosmi.transformations.m2t import page_sections
 from robosmi.transformations.m2t.first_screen import Counted, works
 from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
@@ -272,7 +272,7 @@ class PlanPage:
             "decide": page_sections.decide(plan, files, str(self.output)),
             "write": page_sections.write(plan, texts),
             "check": check,
-            "code": page_code.side_by_side(plan, files, texts),
+            "code": page_sections.side_by_side(plan, files, texts),
             "wiring": page_sections.wiring(plan, files, findings),
             "watch": {},
             "verdict": page_sections.verdict(plan, picture, models.places),

@@ -16,7 +16,7 @@ from robosmi.query import Q
 from robosmi.recommend.component import ComponentQuery, read_components
 from robosmi.recommend.ranking import Recommendation
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.stages.choice_history import choice_history, history_findings
+from robosmi.transformations.chains.library_steps import history_findings, previous_choices
 from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.m2m.choices.library_choice import component_query
@@ -107,6 +107,6 @@ def _ranked(
     if not facts.libraries:
         raise UsageError(f"the target '{facts.target}' has no libraries", fix="give another --target")
     rank = content("ranker", ranker or default_text("rank", "ranker"))(facts.libraries, architecture=facts.architecture)
-    earlier = choice_history(history, facts)
+    earlier = previous_choices(history, facts)
     answers = [rank.rank(query, earlier) for query in queries]
     return Recommendations(queries, answers, [*findings, *history_findings(earlier)])

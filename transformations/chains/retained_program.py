@@ -69,7 +69,8 @@ def retained_program(
     move = BoardMove(board_side(source_board.facts.model), board_side(target.model))
     places = [*portability(program.views, facts, move, program.copies), *unknown_arguments(program.views, move)]
     own, trace = source_board.facts.model.platform, Trace()
-    different = facts.move_to(move.target.chip, move.target.architecture)
+    source, there = move.source, move.target
+    different = facts.move_between((source.chip, source.architecture), (there.chip, there.architecture))
     mappings = list(own.boardMappings) if own is not None else []
     clock_hz = int(source_board.facts.board_model.clockHertz)
     sketch = MovedSketch(program.views, program.copies, move, places, mappings, different, clock_hz, facts.kinds)

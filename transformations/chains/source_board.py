@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -18,9 +19,9 @@ from robosmi.transformations.knowledge.platforms.portability_facts import portab
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, chip_macros, target_facts
 from robosmi.transformations.queries.circuits.circuit import boards
 from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
-from robosmi.transformations.queries.portability.board_move import BoardMove, board_side
-from robosmi.transformations.queries.portability.places import portability
+
+if TYPE_CHECKING:
+    from robosmi.transformations.queries.portability.analysed_program import PortabilityPlace
 
 ASSUMED = "RS115"
 
@@ -100,6 +101,9 @@ def places_of(program: ccode.Program, api: ApiIndex, board: SourceBoard | None, 
     Raises:
         UsageError: there is no such target, or nothing is known about programs of this platform.
     """
+    from robosmi.transformations.queries.portability.board_move import BoardMove, board_side  # only `analyse` asks for places
+    from robosmi.transformations.queries.portability.places import portability
+
     facts = portability_facts(api.name)
     if facts is None or board is None:
         raise UsageError(f"--target: nothing is known about moving programs of '{api.name}' by place", fix="run robosmi migrate")

@@ -39,10 +39,8 @@ from robosmi.transformations.verification.api_build import AT_THE_API, compile_t
 from robosmi.transformations.verification.bound_devices.played_devices import signals_of
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.engine_original import engine_original, source_board_of
-from robosmi.transformations.verification.judgement.compared_outputs import unreachable_functions
-from robosmi.transformations.verification.judgement.difference_calls import calls_around
+from robosmi.transformations.verification.judgement.evidence import calls_around, cover, unreachable_functions
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, ComparedScenario, compare_scenarios
-from robosmi.transformations.verification.judgement.source_reached import cover
 from robosmi.transformations.verification.judgement.stored_verdict import FILE as VERDICT, SCHEMA, StoredVerdict, sketch_digests
 from robosmi.transformations.verification.judgement.verdict import why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
@@ -52,12 +50,18 @@ from robosmi.transformations.verification.original_side import (
     run_source,
     run_varied,
 )
-from robosmi.transformations.verification.originals import original_program, written_sources
+from robosmi.transformations.verification.originals import (
+    Stubs,
+    original_program,
+    stubs_of,
+    with_stubs,
+    written_in,
+    written_sources,
+)
 from robosmi.transformations.verification.search.scenario_inputs import numbers_understood, reads_console, texts_understood
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.search.stored_search import search_digest, stored_search
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL, after_a_restart, most_stored
-from robosmi.transformations.verification.stubs import Stubs, stubs_of, with_stubs, written_in
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.host_original import HostOriginal

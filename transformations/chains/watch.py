@@ -1,7 +1,7 @@
 """The chain `watch`: the migrated program on a simulator and the original on its host model, side by side, as JSON for a page.
 
-A run is a scenario: the inputs that the user has moved so far, each with its instant. A run with a further input starts again at
-reset, so that both sides see the same inputs at the same simulated time and their clocks cannot drift apart; what was shown
+A run is a scenario: the inputs that the user has moved so far, each with its instant. A run with a further input starts again
+at reset, so that both sides see the same inputs at the same simulated time and their clocks cannot drift apart; what was shown
 before the input stays as it was, since both runs repeat. Both programs are built once, and again when a file of the sketch has
 changed. The comparison is that of `verify`.
 """
@@ -45,7 +45,7 @@ from robosmi.transformations.verification.bound_devices.simulated_kinds import d
 from robosmi.transformations.verification.judgement.scenario_verdicts import compare_scenarios
 from robosmi.transformations.verification.judgement.stored_verdict import sketch_digests
 from robosmi.transformations.verification.original_side import channel_events, run_source, run_varied
-from robosmi.transformations.verification.stubs import stubs_of
+from robosmi.transformations.verification.originals import stubs_of
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
 from robosmi.verify.original import Original
 from robosmi.verify.scenario import POINTS, Points, Scenario, read_scenario

@@ -28,9 +28,8 @@ from robosmi.transformations.chains.stages.sources import project_of_output
 from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
 from robosmi.transformations.m2m.circuits.wokwi_wiring import WITH_DRAWING, no_drawing, wokwi_wiring
 from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg
-from robosmi.transformations.m2t.circuits.wokwi_project import project_files
 from robosmi.transformations.m2t.pin_table import pin_table
-from robosmi.transformations.m2t.sketch_project import project
+from robosmi.transformations.m2t.sketch_project import project, project_files
 from robosmi.transformations.queries.circuits.electrical import fed_parts
 from robosmi.transformations.queries.plans.plan import as_findings
 

@@ -16,7 +16,6 @@ from robosmi import inputs
 from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.files.sqlite_files import writing
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind
 
@@ -156,6 +155,8 @@ def write_parts(target: Path, parts: Iterable[tuple[Part, Mapping[str, int]]], t
         tool: the drawing tool in lower case, whose parts they are.
     """
     schema = _SCHEMA if tool == FIRST_TOOL else _SCHEMA + "CREATE TABLE tool(name TEXT);"
+    from robosmi.files.sqlite_files import writing  # a run mostly reads the store
+
     with writing(target, schema, APPLICATION, FORMAT) as db:
         if tool != FIRST_TOOL:
             db.execute("INSERT INTO tool VALUES (?)", (tool,))

@@ -1,6 +1,6 @@
 """The content of a Wokwi diagram before it is written: parts, wires, and what Wokwi has no part for.
 
-Plain records, made by `m2m/circuits/wokwi_wiring` and written by `m2t/circuits/wokwi_project`.
+Plain records, made by `m2m/circuits/wokwi_wiring` and written by `m2t/sketch_project`.
 """
 
 from __future__ import annotations

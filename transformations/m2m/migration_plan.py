@@ -230,7 +230,7 @@ def put_together(
     plan.portFlows.extend(port_changes(d.ports, d.bindings, d.files, arrays=arrays, kept=retained_pins(plan)))
     cast_pins(plan.widenings, plan.portBindings)
     if retains_platform(plan):
-        from robosmi.transformations.m2m.ports.port_registers import change_registers  # other programs have no such registers
+        from robosmi.transformations.m2m.ports.port_texts import change_registers  # other programs have no such registers
 
         change_registers(d.views, d.bindings, d.files, _same_architecture(plan), bool(move_facts(plan).pwm_frequency))
         explicit_enumerators(plan, d.files)

@@ -1,7 +1,10 @@
 """The contents of a plan's web page, section by section: what works, wiring, decide, write, check, verdict, history.
 
 These are values for templates, from the same queries as the report and the terminal, with the lines of the source that they are
-about. `page_code` makes the program beside its sketch; `chains.page` composes the page and answers its requests.
+about. `chains.page` composes the page and answers its requests.
+
+`side_by_side` has the source program beside the generated one: each line refers to the lines that it came from or became. The
+links are those of the plan: texts generated from elements, and decisions about elements with their rules.
 """
 
 from __future__ import annotations
@@ -9,13 +12,15 @@ from __future__ import annotations
 import base64
 import re
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
+from msgspec import Struct
+
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding, Severity
-from robosmi.metamodels import ccode, migration, platform
+from robosmi.metamodels import ccode, migration, platform, trace
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.report.document import place_of
 from robosmi.transformations.m2t.circuits.circuit_picture import plan_svg
@@ -54,6 +59,9 @@ _NAMED = 3
 CHUNK = 25
 """Rows that a browser lays out together; chunks out of sight are laid out later."""
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Notes"}
+
+_MOST = 40
+"""Number of lines above which only the first line is linked: links of a whole file's heading tell nothing."""
 
 
 def works(
@@ -472,3 +480,75 @@ def _lines_with(element: ccode.Located | None, sources: Mapping[str, bytes]) -> 
 
 def _cut(text: str) -> str:
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]} ..."
+
+
+class _Line(Struct):
+    identity: str
+    text: str
+    links: list[str] = []
+    why: str = ""
+
+    def row(self) -> tuple[str, str, str, str]:
+        return self.identity, self.text, " ".join(self.links), self.why
+
+
+def side_by_side(plan: migration.MigrationPlan, sources: Mapping[str, bytes], texts: Mapping[str, str]) -> dict[str, Json]:
+    """Both sides: `source` and `target`, each a list of files with their lines in runs.
+
+    Args:
+        plan: the plan.
+        sources: path of a unit -> its bytes.
+        texts: path of a generated file, relative to the output folder -> its text.
+    """
+    units = list(plan.program.units) if plan.program is not None else []
+    old = {
+        u.path: _numbered(f"s{n}", sources[u.path].decode("utf-8", "replace")) for n, u in enumerate(units) if u.path in sources
+    }
+    new = {path: _numbered(f"t{n}", text) for n, (path, text) in enumerate(texts.items())}
+    for disposition in plan.dispositions:
+        for line in _of(disposition.element, old):
+            line.why = line.why or _why(disposition)
+    for link in plan.trace.texts if plan.trace is not None else ():
+        made = new.get(str(link.path), [])[link.line - 1 : link.endLine]
+        origins = [line for element in _origins(link) for line in _of(element, old)]
+        if len(made) > _MOST or len(origins) > _MOST:
+            made, origins = made[:1], origins[:1]
+        for line in made:
+            line.why = line.why or f"{link.rule} ({link.step})"
+            line.links += [o.identity for o in origins if o.identity not in line.links]
+        for origin in origins:
+            origin.links += [m.identity for m in made if m.identity not in origin.links]
+    return {"source": _files(old), "target": _files(new)}
+
+
+def _numbered(prefix: str, text: str) -> list[_Line]:
+    return [_Line(f"{prefix}-{number}", line) for number, line in enumerate(text.splitlines(), 1)]
+
+
+def _of(element: Any, old: Mapping[str, list[_Line]]) -> list[_Line]:
+    """The lines of a program element; empty for a whole file."""
+    unit = ancestor_of_kind(element, ccode.SourceUnit) if isinstance(element, ccode.Located) else None
+    lines = old.get(unit.path) if unit is not None else None
+    if lines is None:
+        return []
+    first = element.line
+    return lines[first - 1 : max(element.endLine, first)]
+
+
+def _origins(link: trace.TextTrace) -> Iterable[Any]:
+    """The program elements that a generated text comes from, directly or through a decision about them."""
+    for element in link.elements:
+        if isinstance(element, migration.AdapterUse):
+            yield from element.calls
+        elif isinstance(element, (migration.Disposition, migration.PortBinding)):
+            yield element.element
+        else:
+            yield element
+
+
+def _why(disposition: migration.Disposition) -> str:
+    return f"{disposition.action.name} ({', '.join(disposition.rules)}): {'; '.join(disposition.reasons)}"
+
+
+def _files(files: Mapping[str, list[_Line]]) -> list[dict[str, Json]]:
+    return [{"name": path.rpartition("/")[2], "chunks": chunked([line.row() for line in lines])} for path, lines in files.items()]

@@ -1,14 +1,31 @@
-"""What `sketch.yaml` (Arduino CLI) and `platformio.ini` (PlatformIO) say: board and libraries with their versions.
+"""The project files of other tools around a sketch.
 
-The libraries are those that something in the sketch uses.
+`sketch.yaml` (Arduino CLI) and `platformio.ini` (PlatformIO) have the board and the libraries that something in the sketch
+uses, with their versions (`project`).
+
+A project of the Wokwi simulator (`project_files`) has `diagram.json`, the sketch under the name that Wokwi expects, and
+`libraries.txt`. `m2m/circuits/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com:
+diagram-format, guides/libraries. Positions are in pixels: parts are in columns at the right of the board, and Wokwi routes the
+wires.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
+from robosmi.base.data_text import Json, json_written
 from robosmi.metamodels import migration
 from robosmi.transformations.queries.plans.plan_adapters import emitted
+
+if TYPE_CHECKING:
+    from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, WokwiWiring
+
+_DIAGRAM, _SKETCH, _LIBRARIES, _LISTED = "diagram.json", "sketch.ino", "libraries.txt", "not-drawn.txt"
+_SOURCES = (".ino", ".h", ".hpp", ".c", ".cpp", ".s")
+_LEFT, _COLUMN, _ROW, _ROWS = 420, 220, 150, 6
+_COLOURS = ("green", "blue", "orange", "purple", "gold", "cyan", "magenta", "limegreen", "brown", "gray")
+_CARRIED = {"GND": "black", "": ""}
 
 
 def project(plan: migration.MigrationPlan) -> dict[str, Any]:
@@ -44,3 +61,64 @@ def _dependency(name: str, version: str) -> str:
     """A library as an entry of PlatformIO's `lib_deps`: one line, in which ` ;` would begin a comment."""
     plain = " ".join(name.replace(" ;", ";").split())
     return f"{plain} @ {version}" if version else plain
+
+
+def diagram_text(wiring: WokwiWiring, author: str) -> str:
+    """The text of `diagram.json`, with one part or connection per line.
+
+    Args:
+        wiring: what is drawn.
+        author: the author that the file names.
+    """
+    parts = [json_written(_part(part, number), ensure_ascii=False) for number, part in enumerate(wiring.parts)]
+    wires = [
+        json_written([one, other, _CARRIED.get(carried, "red") or _COLOURS[number % len(_COLOURS)], []], ensure_ascii=False)
+        for number, (one, other, carried) in enumerate(wiring.wires)
+    ]
+    head = [f'  "version": 1,\n  "author": {json_written(author)},\n  "editor": "wokwi"']
+    lists = [f'  "{name}": [{_lines(entries)}]' for name, entries in (("parts", parts), ("connections", wires))]
+    return "{\n" + ",\n".join([*head, *lists, '  "dependencies": {}']) + "\n}\n"
+
+
+def project_files(
+    wiring: WokwiWiring, sketch: Mapping[str, bytes], libraries: Sequence[str], listed: Sequence[str], author: str
+) -> dict[str, bytes]:
+    """The files of the project, relative path -> bytes.
+
+    Args:
+        wiring: what is drawn.
+        sketch: the files of the sketch's folder, name -> bytes.
+        libraries: name of each library, with its version in brackets where it is known.
+        listed: a line about each part that is not drawn; no file is made where there is none.
+        author: who the diagram says has made it.
+    """
+    files = {_DIAGRAM: diagram_text(wiring, author).encode()}
+    for name, data in sketch.items():
+        if name.lower().endswith(_SOURCES):
+            files[_SKETCH if name.lower().endswith(".ino") else name] = data
+    lines = [
+        "# Libraries of this project, as Wokwi installs them (docs.wokwi.com/guides/libraries)",
+        *(_library(each) for each in libraries),
+    ]
+    files[_LIBRARIES] = ("\n".join(lines) + "\n").encode()
+    if listed:
+        head = "Parts that Wokwi does not have; they are not in the diagram:"
+        files[_LISTED] = ("\n".join([head, *listed]) + "\n").encode()
+    return files
+
+
+def _part(part: DrawnPart, number: int) -> dict[str, Json]:
+    place = number - 1
+    left = 0 if number == 0 else _LEFT + _COLUMN * (place // _ROWS)
+    top = 0 if number == 0 else _ROW * (place % _ROWS)
+    return {"type": part.kind, "id": part.identity, "top": top, "left": left, "attrs": part.attributes}
+
+
+def _lines(entries: Sequence[str]) -> str:
+    return "\n" + ",\n".join(f"    {entry}" for entry in entries) + "\n  " if entries else ""
+
+
+def _library(text: str) -> str:
+    """`Servo (1.2.2)` converted to `Servo@1.2.2`."""
+    name, _, version = text.removesuffix(")").partition(" (")
+    return f"{name}@{version}" if version else name

@@ -2,17 +2,22 @@
 
 It is built as the user's tools build it. Two further builds are for questions that this one cannot answer:
 
-What a run covers follows from debugging information and from which instructions ran. This is asked of a build in which the linker
-inlines nothing across files, so that the conditional jumps of the user's functions are their own; the simulator that records
-instructions at the least cost runs it.
+What a run covers follows from debugging information and from which instructions ran. This is asked of a build in which the
+linker inlines nothing across files, so that the conditional jumps of the user's functions are their own; the simulator that
+records instructions at the least cost runs it.
 
-Runs that differ in the costs of the program's steps are those of a build for a slower clock: all steps take longer, while delays,
-times and baud rates, which the core derives from the clock, stay.
+Runs that differ in the costs of the program's steps are those of a build for a slower clock: all steps take longer, while
+delays, times and baud rates, which the core derives from the clock, stay.
+
+`MachineLines` has the instructions of each of the user's lines, and those that decide between two ways. The linker inlines
+functions across files, so that an instruction belongs to a line of each function that is inlined there. The commands and the
+forms of what they print are data of the toolchain (`[original]`).
 """
 
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 
@@ -20,22 +25,26 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi import inputs
+from robosmi.base.data_tables import DataTable
 from robosmi.errors import EngineCrashError, TimeLimitError, VerificationError
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.verification.jobs import job, store_bytes
-from robosmi.verify.machine_lines import MachineLines, machine_lines
 from robosmi.verify.original import LibraryCall, OriginalRun, SourceCoverage, Variation
 from robosmi.verify.simulation import DeviceUse, Job, PinTrace, engines_for, simulate
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.processes import in_parallel
+from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain import Changed, compile_sketch
-from robosmi.verify.toolchains.toolchain_data import load_toolchains
-from robosmi.verify.toolchains.tools import find_installed
+from robosmi.verify.toolchains.toolchain_data import Toolchain, fill, load_toolchains
+from robosmi.verify.toolchains.tools import Installed, find_installed
 
 _STATUS = {"running": "running", "done": "finished"}
 """State of a trace -> status of a run; any other state is `crashed`."""
 _SECOND_S = 1.5
 """Seconds that a simulator takes for a simulated one, measured with an ATmega328P on a typical machine."""
+
+_Line = tuple[str, int]
+_PLACE = re.compile(r"^(?P<path>.+):(?P<line>\d+)(?: \(discriminator \d+\))?$")
 
 
 class CompiledOriginal(Struct, frozen=True):
@@ -230,7 +239,7 @@ def engine_original(
     slower = None if is_bound else _built(sketch, board, place / "slower", Changed(slow_hz))[0]
     installed = find_installed(toolchain)
     others = [str(installed.core), *(str(library.folder) for library in report.libraries)]
-    lines = machine_lines(traced.elf, toolchain, installed, _own_file(files, others))
+    lines = _machine_lines(traced.elf, toolchain, installed, _own_file(files, others))
     tracers = sorted((each for each in engines if each.steps_cost), key=lambda each: each.steps_cost)
     return EngineOriginal(board, report.tool, own, traced, slower, lines, engines[0].name, tracers[0].name if tracers else "")
 
@@ -264,3 +273,69 @@ def _own_file(files: Iterable[str], others: Sequence[str]) -> Callable[[str], st
 def _nothing() -> PinTrace:
     """The trace of a run that was given up."""
     return PinTrace("", "crashed", 0.0, (), (), (), ())
+
+
+class MachineLines(Struct, frozen=True):
+    """The instructions of the user's lines.
+
+    Attributes:
+        lines: (file, line) -> addresses of its instructions, those of inlined functions included.
+        decisions: (file, line) -> addresses of its own conditional jumps and skips.
+    """
+
+    lines: Mapping[_Line, tuple[int, ...]]
+    decisions: Mapping[_Line, tuple[int, ...]]
+
+
+def _machine_lines(elf: Path, toolchain: Toolchain, installed: Installed, own: Callable[[str], str | None]) -> MachineLines:
+    """Read the lines of a program with debugging information.
+
+    Args:
+        elf: the linked program.
+        toolchain, installed: with which it was built.
+        own: path of a file as the debugging information has it -> its name if it is the user's, else None.
+
+    Raises:
+        VerificationError: the toolchain has no data for this, or a tool fails.
+    """
+    data = toolchain.original
+    if not data.values:
+        raise VerificationError(f"nothing tells which lines of a program for {toolchain.title} run")
+    conditional, pattern = data.pattern("conditional"), data.pattern("pattern")
+    listing = _run(data, "instructions", installed, {"elf": str(elf)})
+    kinds = {int(found["address"], 16): found["mnemonic"] for line in listing.splitlines() if (found := pattern.match(line))}
+    lines: dict[_Line, list[int]] = {}
+    decisions: dict[_Line, list[int]] = {}
+    with temporary_folder("lines") as place:
+        addresses = Path(place) / "addresses"
+        addresses.write_text("\n".join(f"{address:#x}" for address in kinds))
+        told = _run(data, "places", installed, {"elf": str(elf), "addresses": str(addresses)})
+    address, depth = 0, 0
+    for text in told.splitlines():
+        if text.startswith("0x"):
+            address, depth = int(text, 16), 0
+        elif (found := _PLACE.match(text)) and (name := own(found["path"])) is not None and int(found["line"]):
+            at = name, int(found["line"])
+            lines.setdefault(at, []).append(address)
+            if depth == 0 and conditional.fullmatch(kinds[address]):
+                decisions.setdefault(at, []).append(address)
+            depth += 1
+        else:
+            depth += 1
+    return MachineLines(
+        {at: tuple(dict.fromkeys(each)) for at, each in lines.items()}, {at: tuple(each) for at, each in decisions.items()}
+    )
+
+
+def _run(data: DataTable, key: str, installed: Installed, values: Mapping[str, str]) -> str:
+    """What the command of an entry prints.
+
+    Raises:
+        VerificationError: it fails.
+    """
+    entry = data.table(key)
+    done = installed.run(entry.text("tool"), fill(entry.texts("arguments"), values))
+    if done.returncode != 0:
+        said = (done.stderr or done.stdout).strip().splitlines()
+        raise VerificationError(f"the lines of the program cannot be read: {said[-1] if said else entry.text('tool')}")
+    return done.stdout

@@ -167,9 +167,8 @@ def _time(seconds: float) -> str:
 
 
 def _query(arguments: _Arguments, report: Report) -> None:
-    from robosmi.corpus.export import as_csv
     from robosmi.corpus.running import store_place
-    from robosmi.corpus.store import Store
+    from robosmi.corpus.store import Store, as_csv
 
     if arguments.csv and arguments.json:
         raise UsageError("--csv and --json are both given", fix="give one of them")
@@ -200,9 +199,8 @@ def _table(columns: tuple[str, ...], rows: list[tuple[object, ...]]) -> list[str
 
 
 def _export(arguments: _Arguments, report: Report) -> None:
-    from robosmi.corpus.export import export
     from robosmi.corpus.running import store_place
-    from robosmi.corpus.store import Store
+    from robosmi.corpus.store import Store, export
 
     with Store(store_place(arguments.output, arguments.store)) as store:
         written = export(store, arguments.into, arguments.form)

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
 from functools import partial
+from pathlib import Path
 from typing import Any, TypeAlias
 
 from pyecore import ecore as pyecore_ecore
@@ -53,6 +54,7 @@ from robosmi.model.elements.ecore import (
 from robosmi.model.elements.feature_values import FeatureCollection
 from robosmi.model.elements.features import without_elements
 from robosmi.model.elements.ordering import post_order
+from robosmi.model.elements.proxies import as_proxy
 from robosmi.model.elements.pyecore_internals import add_silently, contain, key_of, set_features_of, set_key
 from robosmi.model.elements.python_names import MEMBER, python_name
 from robosmi.model.elements.strict import Element
@@ -151,10 +153,17 @@ class PackageMaker:
         for cls in classes:
             self._fill(cls)
         for feature, made in self.features.items():
-            opposite = self.features[feature.opposite] if feature.opposite is not None else None
+            opposite = self._opposite(feature.opposite) if feature.opposite is not None else None
             if isinstance(opposite, EReference) and made.eOpposite is None:
                 made.eOpposite = opposite
         Details(packages, self._made_for).add()
+
+    def _opposite(self, feature: Feature) -> EStructuralFeature:
+        if feature.owner.package.missing and feature not in self.features:
+            made = ecore.EReference(feature.name.rpartition("/")[2], ecore.EObject.eClass)
+            as_proxy(made, feature.name, feature.owner.package.source.parent)
+            return made
+        return self.features[feature]
 
     def _made_for(self, one: DescribedElement) -> EModelElement | None:
         if isinstance(one, Classifier):
@@ -187,7 +196,7 @@ class PackageMaker:
         """The object made for a described classifier, or pyecore's own for one of Ecore's."""
         found = self.made.get(classifier)
         if found is None:
-            found = self.made[classifier] = _known(classifier)
+            found = self.made[classifier] = _stand_in(classifier) if classifier.package.missing else _known(classifier)
             if classifier.package in self.xml_types and found.eContainer() is None:
                 self.xml_types[classifier.package].eClassifiers.append(found)  # so that a metamodel that is written can name it
         return found
@@ -229,6 +238,20 @@ class PackageMaker:
             made.get_default_value = partial(default, made, kind)  # pyecore knows fewer texts of values ("1.5f")
         computed(made)
         return made
+
+
+def _stand_in(classifier: Classifier) -> EClassifier:
+    """What stands for a classifier of a file that is not there, of which there are no elements; values of its types are texts."""
+    name = classifier.name.rpartition("/")[2]
+    made: EClassifier
+    if isinstance(classifier, Class):
+        made = _missing(name)
+        made.abstract = True
+    else:
+        made = ecore.EEnum(name) if isinstance(classifier, Enumeration) else _plain(name, "java.lang.String")
+    ecore.EPackage(classifier.package.name, classifier.package.name).eClassifiers.append(made)
+    as_proxy(made, classifier.name, classifier.package.source.parent)
+    return made
 
 
 def _namespace(package: Package) -> tuple[str | None, str | None]:
@@ -291,10 +314,17 @@ def _known(classifier: Classifier) -> EClassifier:
         if isinstance(classifier, Class):
             eclass = getattr(found, "eClass", None) if isinstance(found, type) else None
             return eclass if eclass is not None else _missing(classifier.name)
-        return found if isinstance(found, ecore.EDataType) else ecore.EJavaObject
+        return found if isinstance(found, ecore.EDataType) else _lacking(classifier)
     if isinstance(classifier, Class):
         return _missing(classifier.name)
     return _plain(classifier.name, _XML_TYPES.get(classifier.name, "java.lang.String"))
+
+
+def _lacking(classifier: Classifier) -> EDataType:
+    """A data type that pyecore does not have (EMap, EResource): any value, written under its name."""
+    made = _plain(classifier.name, "")
+    as_proxy(made, f"{classifier.package.uri}#//{classifier.name}", Path())
+    return made
 
 
 def _missing(name: str) -> EClass:

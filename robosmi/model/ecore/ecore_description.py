@@ -53,6 +53,7 @@ class Package(DescribedElement):
         source: the .ecore file.
         parent: the package it lies in.
         find: what a node of the file refers to by a feature of Ecore, as far as it is known.
+        missing: whether its file is not there; its elements stand for what others refer to, under names that are URIs.
     """
 
     uri: str = ""
@@ -62,6 +63,7 @@ class Package(DescribedElement):
     find: Callable[[EcoreNode, str], list[DescribedElement]] = _nothing
     classifiers: list[Classifier] = []
     subpackages: list[Package] = []
+    missing: bool = False
 
     @property
     def root(self) -> Package:

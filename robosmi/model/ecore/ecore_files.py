@@ -2,8 +2,8 @@
 
 A reference from one metamodel to another may be a namespace, a relative path, or a place in an Eclipse workspace
 (`platform:/resource/...`). Tried in this order: the namespaces of the files read so far, the path, the file's path below a
-folder above the referring file, a file of that name beside it, and the namespaces of all .ecore files beside it. Nothing is
-downloaded. The content is interpreted by `ecore_loader`.
+folder above the referring file, a file of that name beside it, the namespaces of all .ecore files beside it, and the only
+file read so far that lies in folders of these names. Nothing is downloaded. The content is interpreted by `ecore_loader`.
 """
 
 from __future__ import annotations
@@ -151,7 +151,15 @@ class EcoreFiles:
         if found is not None:
             self.load(found)
             return self._by_uri.get(uri)
-        return None
+        return self._read_elsewhere(unquote(uri))
+
+    def _read_elsewhere(self, uri: str) -> tuple[EcoreFile, EcoreNode] | None:
+        """The only file that was read and lies in folders of the names that a path or a place in a workspace says."""
+        workspace = _PLATFORM.fullmatch(uri)
+        path = workspace[1] if workspace is not None else "" if ":" in uri else uri
+        names = [part for part in path.split("/") if part not in (".", "..", "")]
+        found = [file for file in self._files.values() if file.path.absolute().parts[-len(names) :] == tuple(names)]
+        return (found[0], found[0].roots[0]) if len(names) > 1 and len(found) == 1 else None
 
     def _namespaces_beside(self, folder: Path) -> dict[str, Path]:
         """The namespaces of the .ecore files in a folder; files that cannot be read have none."""

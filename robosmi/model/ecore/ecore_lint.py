@@ -15,7 +15,7 @@ from robosmi.model.ecore.ecore_description import Class, Classifier, Feature, Pa
 from robosmi.model.ecore.ecore_files import EcoreFiles
 from robosmi.model.ecore.ecore_xml import EcoreNode
 
-RULE = "RS607"
+RULE, UNRESOLVED = "RS607", "RS609"
 _NAMED = ("name",)
 _CLASSIFIER = (*_NAMED, "instanceClassName", "instanceTypeName", "defaultValue")
 _TYPED = (*_NAMED, "ordered", "unique", "lowerBound", "upperBound", "many", "required", "eType")
@@ -87,7 +87,27 @@ def contradictions(packages: Sequence[Package]) -> list[Finding]:
         features = [feature for owner in (*cls.ancestors(), cls) for feature in owner.features]
         found += _twice(features, f"the class '{cls.path}'", clashes)
         found += [finding for feature in cls.features for finding in _of_feature(feature)]
-    return sorted(found, key=_place)
+    return sorted([*found, *_missing(classes)], key=_place)
+
+
+def _missing(classes: Sequence[Class]) -> list[Finding]:
+    """What lies in files that are not there: one finding for each file, with the place of the first reference."""
+    referred: list[Classifier | Feature | None] = []
+    for cls in classes:
+        typed = (*cls.features, *cls.operations, *(one for operation in cls.operations for one in operation.parameters))
+        referred += [*cls.supertypes, *(one.classifier for one in typed), *(feature.opposite for feature in cls.features)]
+    packages: dict[tuple[Path, str], list[Package]] = {}
+    for one in dict.fromkeys(referred):
+        package = None if one is None else one.owner.package if isinstance(one, Feature) else one.package
+        if package is not None and package.missing:
+            packages.setdefault((package.source.parent, package.name), []).append(package)
+    fix = "put the .ecore file beside this one, or give it as a further file"
+    found = []
+    for (_, uri), some in packages.items():
+        more = f" (and {len(some) - 1} more that are referred to there)" if len(some) > 1 else ""
+        message = f"the metamodel '{uri}' is not there{more}"
+        found.append(Finding(UNRESOLVED, Severity.warning, message, some[0].location, None, fix))
+    return found
 
 
 def _place(finding: Finding) -> tuple[str, int]:
@@ -141,7 +161,7 @@ def _of_feature(feature: Feature) -> Iterator[Finding]:
         message = f"'{feature.path}' has at least {feature.lower} values and at most {feature.upper}: no model has both"
         yield _finding(message, feature.location, "correct lowerBound or upperBound", feature)
     opposite = feature.opposite
-    if opposite is None:
+    if opposite is None or opposite.owner.package.missing:
         return
     if opposite.opposite is not feature:
         names = f"names '{opposite.opposite.path}'" if opposite.opposite is not None else "names none"

@@ -75,7 +75,11 @@ class MetamodelError(ModelError):
 
 
 def load_metamodels(
-    paths: Iterable[Path], *, classifiers: bool = False, texts: Mapping[Path, bytes] | None = None
+    paths: Iterable[Path],
+    *,
+    classifiers: bool = False,
+    texts: Mapping[Path, bytes] | None = None,
+    stand_ins: bool = False,
 ) -> list[Package]:
     """Read .ecore files and every file that they refer to.
 
@@ -83,6 +87,7 @@ def load_metamodels(
         paths: the files.
         classifiers: whether these files may have roots that are classifiers; they are in a package without a name.
         texts: the bytes of files that are not as they are stored, by absolute path.
+        stand_ins: whether something stands for what lies in files that are not there (`Package.missing`), as EMF's proxies do.
 
     Returns:
         The outermost packages: those of the given files first, in the order given, then those of the files referred to.
@@ -91,18 +96,20 @@ def load_metamodels(
         SourceError: a file cannot be read, is no XML or holds no EPackage.
         MetamodelError: references lead nowhere, names or types are missing; all problems together.
     """
-    return MetamodelReader(texts).read(paths, classifiers=classifiers)
+    return MetamodelReader(texts, stand_ins).read(paths, classifiers=classifiers)
 
 
 class MetamodelReader:
     """Reads .ecore files one after the other; files read before are reused, so that later files can refer to them.
 
     Args:
-        texts: the bytes of files that are not as they are stored, by absolute path.
+        texts, stand_ins: as for `load_metamodels`.
     """
 
-    def __init__(self, texts: Mapping[Path, bytes] | None = None) -> None:
+    def __init__(self, texts: Mapping[Path, bytes] | None = None, stand_ins: bool = False) -> None:
         self.files = EcoreFiles(texts)
+        self._stands_in = stand_ins
+        self._stand_ins: dict[tuple[Path, str], DescribedElement] = {}
         self.problems: list[Problem] = []
         self._packages: dict[EcoreFile, list[Package]] = {}
         self._referred_to: dict[EcoreFile, dict[EcoreFile, None]] = {}
@@ -297,7 +304,7 @@ class MetamodelReader:
     def link(self) -> None:
         """Resolve all references, reading further files as they are met, and put bounds where type parameters are."""
         for file, node, text, kind, put in self._pending:  # which grows as further files are met
-            found = self._target(file, node, text)
+            found = self._target(file, node, text, kind)
             if found is None:
                 continue
             if not isinstance(found, (Classifier, TypeParameter) if kind is Classifier else kind):
@@ -324,6 +331,9 @@ class MetamodelReader:
             for word in [text] if name in ("eClassifier", "eTypeParameter") else text.split():
                 uri, _, fragment = word.rpartition("#")
                 where: Any = (file, None) if not uri else self.files.find(uri, file)
+                if where is None and (stand_in := self._stand_ins.get((file.path.parent, word))) is not None:
+                    found.append(stand_in)
+                    continue
                 if isinstance(where, Package):
                     target: DescribedElement | None = known(where, fragment.rpartition("/")[2])
                 else:
@@ -333,16 +343,18 @@ class MetamodelReader:
                     found.append(target)
         return found
 
-    def _target(self, file: EcoreFile, node: EcoreNode, text: str) -> DescribedElement | None:
+    def _target(self, file: EcoreFile, node: EcoreNode, text: str, kind: type) -> DescribedElement | None:
         uri, mark, fragment = text.rpartition("#")
         if not mark:
             uri, fragment = "", text
         place = self._place(file, node)
         where: Any = (file, None) if not uri else self.files.find(uri, file)
+        if where is None and self._stands_in and kind is not TypeParameter:
+            return self._stand_in(file, node, text, kind)
         if where is None:
             self.problem(
                 "a file referred to is missing", place, f"'{text}' leads to a file that is not there",
-                "put the .ecore file beside this one, or give it as a further file",
+                "put the .ecore file beside this one, give it as a further file, or leave this file out",
             )  # fmt: skip
             return None
         if isinstance(where, Package):
@@ -359,6 +371,27 @@ class MetamodelReader:
                 "a reference leads to nothing", place, f"'{text}' leads to nothing", "correct the reference in the .ecore file"
             )
         return found
+
+    def _stand_in(self, file: EcoreFile, node: EcoreNode, text: str, kind: type) -> DescribedElement:
+        """What stands for an element of a file that is not there; the same for all references to it from one folder."""
+        key = (file.path.parent, text)
+        if key not in self._stand_ins:
+            package = Package(text.partition("#")[0], self._place(file, node), source=file.path, missing=True)
+            if kind is Feature:
+                owner = Class(text.rpartition("/")[0], package.location, package=package, abstract=True)
+                self._stand_ins[key] = Feature(text, package.location, owner=owner, is_reference=True)
+            else:
+                made = _kind_said(node, text) if kind is Classifier else Class
+                self._stand_ins[key] = made(text, package.location, package=package)
+        return self._stand_ins[key]
+
+
+def _kind_said(node: EcoreNode, text: str) -> type[Class | DataType | Enumeration]:
+    """The kind of classifier that a reference says it leads to; without that, the one that can stand there."""
+    said = next((value for value in node.attributes.values() if value.endswith(f" {text}")), node.kind)
+    if "EEnum" in said:
+        return Enumeration
+    return DataType if "EDataType" in said or node.kind == "EAttribute" else Class
 
 
 def _setter(element: DescribedElement, name: str) -> Callable[[Any], None]:

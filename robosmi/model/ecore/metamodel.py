@@ -75,7 +75,7 @@ class Metamodel(Metamodels):
 
         files = [path for path in paths if not means_ecore(path)]
         own = cls.ecore().packages if len(files) < len(paths) else []
-        described = load_metamodels(metamodel_files(files))
+        described = load_metamodels(metamodel_files(files), stand_ins=True)
         loaded = cls([*make_packages(described), *own])
         loaded.findings = contradictions(described)
         return loaded
@@ -104,7 +104,7 @@ class Metamodel(Metamodels):
         from robosmi.model.ecore.ecore_loader import load_metamodels
 
         described = load_metamodels(
-            [path], classifiers=True, texts=None if text is None else {Path(os.path.realpath(path)): text}
+            [path], classifiers=True, texts=None if text is None else {Path(os.path.realpath(path)): text}, stand_ins=True
         )
         own = zip(described, make_packages(described), strict=True)
         return [package for one, package in own if one.source == path]

@@ -36,9 +36,9 @@ def metamodel_files(given: Iterable[str | Path]) -> list[Path]:
     for each in given:
         path = Path(each)
         if path.is_dir():
-            files = sorted(path.rglob("*.ecore"))
+            files = sorted(file for file in path.rglob("*.ecore") if file.is_file())  # Eclipse projects may be called so
         elif glob.has_magic(str(path)) and not path.exists():
-            files = sorted(Path(name) for name in glob.glob(str(path), recursive=True))
+            files = sorted(file for name in glob.glob(str(path), recursive=True) if (file := Path(name)).is_file())
         else:
             found.append(_checked(path))
             continue

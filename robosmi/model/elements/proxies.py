@@ -46,9 +46,14 @@ def new_proxy(cls: type, uri: str, folder: Path) -> Any:
         folder: the folder that it is relative to.
     """
     made = object.__new__(_class(cls))
-    made.__dict__[_PLACE] = _Place(uri, folder, "#" not in uri.strip("#"))
+    as_proxy(made, uri, folder)
     made.__dict__[REFUSAL] = _refusal
     return made
+
+
+def as_proxy(element: EObject, uri: str, folder: Path) -> None:
+    """Let an element stand for one that was not found; see `new_proxy`."""
+    element.__dict__[_PLACE] = _Place(uri, folder, "#" not in uri.strip("#"))
 
 
 def proxy_uri(element: EObject) -> str | None:

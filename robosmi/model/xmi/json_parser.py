@@ -46,6 +46,8 @@ CLASS, LINK, ID = "eClass", "$ref", "_id"
 """The keys that are no features."""
 UUID = "uuid"
 """What pyecore's JSON calls an id."""
+ILLEGAL = "_illegal"
+"""Field of an element: feature that the file gives an illegal value -> key of its slot, that value, the legal ones of several."""
 _SHAPE = "give a model in the form of EMF-JSON, whose roots name their class: " + '{"eClass": "NAMESPACE#//CLASS"}'
 
 _WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
@@ -53,7 +55,13 @@ _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
 
 
 def parse_json(
-    path: Path, data: bytes, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None = None
+    path: Path,
+    data: bytes,
+    plans: Plans,
+    package_of: PackageOf,
+    problem: Problem,
+    foreign: Foreign | None = None,
+    illegal: Foreign | None = None,
 ) -> Document:
     """Build the elements of one file, in JSON or YAML by its name.
 
@@ -63,7 +71,7 @@ def parse_json(
         plans: the plans of this load.
         package_of: finds a package by its namespace.
         problem: receives line and text of every problem.
-        foreign: as for `xmi_parser.parse`.
+        foreign, illegal: as for `xmi_parser.parse`; an illegal value is written again unless its feature gets another.
 
     Raises:
         Unreadable: it is no JSON, or a root is no element of a known metamodel.
@@ -74,7 +82,7 @@ def parse_json(
         raise Unreadable(f"not well-formed JSON: {error}", error.line, error.fix) from None
     except YamlError as error:
         raise Unreadable(f"not YAML of the kind that models have: {error}", error.line, error.fix) from None
-    return _Parser(path, plans, package_of, problem, foreign).run(value)
+    return _Parser(path, plans, package_of, problem, foreign, illegal).run(value)
 
 
 class _Parser(Builder):
@@ -165,11 +173,11 @@ class _Parser(Builder):
             self.line = given.lines[name]
             entry = plan.entries.get(name)
             if entry is None or "}" in name:
-                if name not in (CLASS, ID, UUID):
-                    known = [each for each in plan.entries if "}" not in each]
-                    self.here(f"{plan.name} has no feature '{name}'{did_you_mean(name, known)}")
+                if name not in (CLASS, ID, UUID) and self.no_feature(plan.eclass, name, plan.entries):
+                    element.__dict__.setdefault(ILLEGAL, {})[name] = ("", value, [])
             elif entry.kind == REFUSED:
-                self.foreign(self.line, entry.message, "")
+                self.apart(entry.message)
+                element.__dict__.setdefault(ILLEGAL, {})[name] = (entry.key, value, [])
             elif entry.kind != IGNORED:
                 self.feature(element, plan, entry, value, inside)
         return inside
@@ -191,12 +199,17 @@ class _Parser(Builder):
             if value is not None or not entry.many:
                 self.here(f"{plan.name}.{entry.feature.name} takes {'a list' if entry.many else 'one value, not a list'}")
             return
+        if entry.kind not in (CHILD, CHILDREN, REFERENCE):
+            values = value if isinstance(value, list) else [value]
+            taken = [self.plain_value(element, slots, plan, entry, one) for one in values]
+            if not all(taken):
+                legal = list(slots.get(entry.key, ())) if entry.many else []
+                slots.setdefault(ILLEGAL, {})[entry.feature.name] = (entry.key, value, legal)
+            return
         for one in value if isinstance(value, list) else [value]:
             if isinstance(one, (LocatedObject, LocatedList)):
                 self.line = one.line
-            if entry.kind not in (CHILD, CHILDREN, REFERENCE):
-                self.plain_value(element, slots, plan, entry, one)
-            elif one is None:
+            if one is None:
                 if not entry.many and entry.kind == REFERENCE:
                     slots[entry.key] = new_slot(ReferenceValue, element, entry.feature, None)
             elif not isinstance(one, LocatedObject):
@@ -208,13 +221,14 @@ class _Parser(Builder):
                 self.contain(element, slots, entry, child, child.__dict__)
                 inside.append((child, child_plan, one))
 
-    def plain_value(self, element: DynamicEObject, slots: Any, plan: ClassPlan, entry: FeatureEntry, value: LocatedJson) -> None:
-        """Set a value, or add one to many."""
+    def plain_value(self, element: DynamicEObject, slots: Any, plan: ClassPlan, entry: FeatureEntry, value: LocatedJson) -> bool:
+        """Set a value, or add one to many; gives whether its type takes it."""
         if isinstance(value, (LocatedObject, LocatedList)):
+            self.line = value.line
             self.here(f"{plan.name}.{entry.feature.name} takes a value, not an object or a list")
-        else:
-            text = ("true" if value else "false") if isinstance(value, bool) else value if value is None else str(value)
-            self.add_value(element, slots, plan.name, entry, text)
+            return True
+        text = ("true" if value else "false") if isinstance(value, bool) else value if value is None else str(value)
+        return self.add_value(element, slots, plan.name, entry, text)
 
     def pairs(self, element: DynamicEObject, slots: Any, plan: ClassPlan, entry: FeatureEntry, value: LocatedJson) -> None:
         """Set the details of an annotation, which are an object."""
@@ -240,11 +254,7 @@ class _Parser(Builder):
                 self.document.types[link] = kind.cls
             self.document.references.append((element, entry, link, self.line, True))
         else:
-            held = element.__dict__.get(entry.key)
-            place = len(held) if held is not None and entry.many else 0
-            place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
-            self.document.types[link] = kind.cls if kind is not None else entry.declared.python_class
-            self.document.parts.append((element, entry, link, self.line, place))
+            self.external_part(element, entry, link, kind.cls if kind is not None else entry.declared.python_class)
 
     def plan_in(self, entry: FeatureEntry, given: LocatedObject) -> ClassPlan | None:
         """The plan of a contained element; None with the problem noted."""
@@ -292,7 +302,7 @@ def located_yaml(data: bytes) -> LocatedJson:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise YamlError("the text is no UTF-8", data.count(b"\n", 0, error.start) + 1) from None
-    builder = _Builder()
+    builder = _YamlBuilder()
     try:
         for event in yaml.parse(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
             builder.take(event)
@@ -309,7 +319,7 @@ def located_yaml(data: bytes) -> LocatedJson:
     return builder.value()
 
 
-class _Builder:
+class _YamlBuilder:
     """Builds the value of the events of one text, with a stack of its own."""
 
     def __init__(self) -> None:

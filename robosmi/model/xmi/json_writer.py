@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robosmi.base.data_text import Json
-from robosmi.base.located_json import MOST_LEVELS
+from robosmi.base.located_json import MOST_LEVELS, NumberText
 from robosmi.errors import ModelError
 from robosmi.model.elements import ecore
 from robosmi.model.elements.datatypes import real
@@ -21,13 +21,13 @@ from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import is_of_ecore
 from robosmi.model.elements.proxies import as_read, proxy_uri
 from robosmi.model.elements.pyecore_internals import set_features_of, target_in, value_in, xmi_id_of
-from robosmi.model.xmi.json_parser import CLASS, ID, LINK
+from robosmi.model.xmi.json_parser import CLASS, ID, ILLEGAL, LINK
 from robosmi.model.xmi.written_file import WrittenFile
 from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column
 from robosmi.model.xmi.xmi_locations import Unplaced, XmiLocations, metamodel_uri, relative
 
 if TYPE_CHECKING:
-    from robosmi.model.elements.ecore import Value
+    from robosmi.model.elements.ecore import Slots, Value
 
 _SURROGATE = re.compile("[\ud800-\udfff]")
 _ELEMENT_OF_ECORE = "save it as an .ecore file"
@@ -58,7 +58,7 @@ def tree_of(name: str, roots: Sequence[EObject], places: XmiLocations) -> Json:
 
 def number_text(value: Json) -> str:
     """A number, truth value or empty value, with the digits that its data type writes."""
-    return value.text if isinstance(value, _Number) else json.dumps(value)
+    return str(value) if isinstance(value, NumberText) else json.dumps(value)
 
 
 class _Writer(WrittenFile):
@@ -111,9 +111,18 @@ class _Writer(WrittenFile):
                     made[column.name] = {str(key): value for key, value in held.items()}
             elif len(slot) if column.many else value_in(slot) is not None:
                 raise self.problem(element, column, "is a feature map, which is not supported", "leave it empty")
+        if ILLEGAL in slots:
+            self.illegal(slots, made)
         return inside
 
     # --- features
+
+    def illegal(self, slots: Slots, made: dict[str, Json]) -> None:
+        """Write values of the file that their types do not take, where the features have no others since, in their places."""
+        noted: dict[str, tuple[str, Json, list[Value]]] = slots[ILLEGAL]
+        for name, (key, value, legal) in noted.items():
+            if key not in slots or (isinstance(value, list) and list(slots[key]) == legal):
+                made[name] = value
 
     def add(self, element: EObject, column: Column, made: dict[str, Json], values: list[Json]) -> None:
         """Set what a feature has, none, one or many."""
@@ -147,7 +156,7 @@ class _Writer(WrittenFile):
             return value
         if isinstance(value, int) and text == str(int(value)):
             return int(value)
-        return _Number(text) if isinstance(value, float) and math.isfinite(value) else text
+        return NumberText(text) if isinstance(value, float) and math.isfinite(value) else text
 
     def children(
         self,
@@ -206,18 +215,6 @@ class _Writer(WrittenFile):
         return found
 
 
-class _Number(float):
-    """A number with the digits that its data type writes, which are fewer in 32 bits."""
-
-    def __new__(cls, text: str) -> _Number:
-        """A number of a text."""
-        made = super().__new__(cls, text)
-        made.text = text
-        return made
-
-    text: str
-
-
 # --- text
 
 
@@ -246,7 +243,7 @@ def _pieces(value: Json, indent: str) -> Iterator[str]:
             yield "["
             stack.append((iter([("", each) for each in one]), "]"))
             fresh = True
-        elif isinstance(one, str):
+        elif isinstance(one, str) and not isinstance(one, NumberText):
             yield _quoted(one)
         else:
             yield number_text(one)

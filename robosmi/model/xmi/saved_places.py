@@ -125,10 +125,13 @@ def in_its_layout(
         return original if _says_the_same(text, source, original, known) else text
     if any(is_json(path) or is_yaml(path) for path in (source, target)):
         return text
+    is_elsewhere = not (anywhere or has_more) and os.path.realpath(target) != os.path.realpath(source)
+    if is_elsewhere and not _has_more(original, text):
+        return text
     before = _as_written(source, original, known, target)
     if before is None or before == original:  # the file's layout is ours
         return text
-    if not (anywhere or has_more) and os.path.realpath(target) != os.path.realpath(source) and not _has_more(original, before):
+    if is_elsewhere and not _has_more(original, before):
         return text
     is_metamodel = _METAMODEL.search(text[:_HEAD]) is not None  # the namespaces that its text refers to may be found nowhere
     now = text if is_metamodel else _as_written(target, text, known, target)

@@ -11,7 +11,7 @@ parser it knows only the current line.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
@@ -41,6 +41,7 @@ from robosmi.model.elements.compact_slots import (
 from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.ecore import DynamicEObject
 from robosmi.model.elements.features import class_in, class_names, is_of_ecore
+from robosmi.model.elements.proxies import proxy_uri
 from robosmi.model.elements.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of, value_in
 from robosmi.model.elements.xmi_plan import (
     CHILD,
@@ -62,7 +63,7 @@ from robosmi.model.elements.xmi_plan import (
 from robosmi.model.xmi.xml_characters import may_contain_escapes, restored, restoring
 
 if TYPE_CHECKING:
-    from robosmi.model.elements.ecore import Slots
+    from robosmi.model.elements.ecore import EClass, Slots
 
 
 class Builder:
@@ -77,13 +78,7 @@ class Builder:
     """
 
     def __init__(
-        self,
-        path: Path,
-        plans: Plans,
-        package_of: PackageOf,
-        problem: Problem,
-        foreign: Foreign | None = None,
-        illegal: Foreign | None = None,
+        self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem, foreign: Foreign | None, illegal: Foreign | None
     ) -> None:
         self.tells_foreign = foreign is not None
         self.foreign: Foreign = foreign or (lambda line, text, _: problem(line, text))
@@ -130,6 +125,10 @@ class Builder:
         """Note a problem at the current line."""
         self.problem(self.at(), text)
 
+    def apart(self, text: str, namespace: str = "") -> None:
+        """Note what is not in the model, at the current line."""
+        self.foreign(self.at(), text, namespace)
+
     def child_plan(self, entry: FeatureEntry, attributes: dict[str, str]) -> ClassPlan | None:
         """The plan of a contained element: of the type that the file names, else of the declared one."""
         named = attributes.pop(f"{XSI}}}type", None) or attributes.pop(f"{self.xmi}}}type", None)
@@ -153,10 +152,12 @@ class Builder:
 
     def usable(self, plan: ClassPlan) -> bool:
         """Whether elements of the class can be made; if not the problem is noted and the element skipped."""
-        if plan.abstract:
+        if plan.abstract and self.tells_foreign and (missing := proxy_uri(plan.eclass)) is not None:
+            self.apart(f"an element is of '{missing}', which is not there", missing)
+        elif plan.abstract:
             self.here(f"{plan.name} is abstract: the element needs an xsi:type")
         elif plan.refused and is_of_ecore(plan.eclass):  # in annotations of other models, as a profile's definition is
-            self.foreign(self.expat.CurrentLineNumber, plan.refused, "")
+            self.apart(plan.refused)
         elif plan.refused:
             self.here(plan.refused)
             self.document.unsupported = True
@@ -182,8 +183,9 @@ class Builder:
             uris = self.prefixes.get(prefix)
             package = self.package_of(uris[-1]) if uris else None
             if package is None and uris:
-                said = f"'{qualified}' is no class of a metamodel known here"
-                self.foreign(self.expat.CurrentLineNumber, f"{said}: nobody has the namespace '{uris[-1]}'", uris[-1])
+                self.apart(
+                    f"'{qualified}' is no class of a metamodel known here: nobody has the namespace '{uris[-1]}'", uris[-1]
+                )
                 return None
             near = did_you_mean(name, class_names(package)) if package is not None else ""
             self.here(f"'{qualified}' is no class of a metamodel known here{near}")
@@ -195,15 +197,21 @@ class Builder:
             return text
         namespace, _, local = name.rpartition("}")
         if namespace == XSI or XMI_NAMESPACES.fullmatch(namespace):
-            if local == "idref":
-                return f"#{text}"
-            return None
+            return f"#{text}" if local == "idref" else None
         if namespace and self.package_of(namespace) is None:
-            self.foreign(self.expat.CurrentLineNumber, f"the attribute '{local}' is of the namespace '{namespace}'", namespace)
+            self.apart(f"the attribute '{local}' is of the namespace '{namespace}'", namespace)
             return None
-        near = did_you_mean(local, [n for n in entries if "}" not in n])
-        self.here(f"{plan.name} has no feature '{local}'{near}")
+        self.no_feature(plan.eclass, local, entries)
         return None
+
+    def no_feature(self, eclass: EClass, name: str, entries: Collection[str]) -> bool:
+        """Note a name that is no feature of a class; gives whether it may be one of a supertype whose file is not there."""
+        missing = next((uri for one in eclass.eAllSuperTypes() if (uri := proxy_uri(one)) is not None), None)
+        if missing is not None and self.tells_foreign:
+            self.apart(f"'{name}' of a {eclass.name} may be a feature of '{missing}', which is not there", missing)
+            return True
+        self.here(f"{eclass.name} has no feature '{name}'{did_you_mean(name, [each for each in entries if '}' not in each])}")
+        return False
 
     def rare_attribute(
         self, child: DynamicEObject, slots: Slots, plan: ClassPlan, entry: FeatureEntry, name: str, text: str
@@ -216,7 +224,7 @@ class Builder:
             for part in text.split():
                 self.add_value(child, slots, plan.name, entry, part)
         elif entry.kind == REFUSED:
-            self.foreign(self.expat.CurrentLineNumber, entry.message, "")
+            self.apart(entry.message)
         elif entry.kind != IGNORED:
             self.here(f"{plan.name}.{name} contains elements: it cannot be an attribute")
 
@@ -225,13 +233,13 @@ class Builder:
         if self.document.ids.setdefault(text, child) is not child:
             self.document.shared_ids.setdefault(text, self.at())
 
-    def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> None:
-        """Set a value, or add one to many; None is xsi:nil."""
+    def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> bool:
+        """Set a value, or add one to many; None is xsi:nil. Gives whether its type takes it."""
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
         except ValueError as error:
             self.illegal(self.at(), f"{owner}.{entry.feature.name}", str(error))
-            return
+            return False
         if entry.kind == VALUE:
             if entry.key in slots:
                 self.here(f"{owner}.{entry.feature.name} takes one value, not two")
@@ -239,12 +247,13 @@ class Builder:
             slots[entry.key] = value if lies_bare else new_slot(AttributeValue, element, entry.feature, value)
             if entry.is_id and text:
                 self.identify(text, element)
-            return
+            return True
         many = slots.get(entry.key)
         if many is None:
             many = slots[entry.key] = collection(element, entry.feature)
         if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
+        return True
 
     def add_pair(self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, attributes: dict[str, str]) -> None:
         """Add a pair of texts to the details of an annotation."""
@@ -265,7 +274,7 @@ class Builder:
         held = element.__dict__.get(entry.key)
         place = len(held) if held is not None and entry.many else 0
         place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
-        self.document.parts.append((element, entry, link, self.expat.CurrentLineNumber, place))
+        self.document.parts.append((element, entry, link, self.at(), place))
 
 
 _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
@@ -441,26 +450,25 @@ class _Parser(Builder):
         """
         if element is None:
             return self.root(tag, attributes)
-        local = tag.rpartition("}")[2]
+        namespace, _, local = tag.rpartition("}")
         entry = entries.get(local)
         owner = type(element).__name__
         if entry is None or entry.kind == XMI_ID:
-            if local == "Extension" and XMI_NAMESPACES.fullmatch(tag.rpartition("}")[0]):
+            if local == "Extension" and XMI_NAMESPACES.fullmatch(namespace):
                 self.extension()
                 self.skip()
                 return None, None
-            namespace = tag.rpartition("}")[0]
             if namespace and not XMI_NAMESPACES.fullmatch(namespace) and self.package_of(namespace) is None:
-                self.foreign(self.expat.CurrentLineNumber, f"'{local}' is of the namespace '{namespace}'", namespace)
+                self.apart(f"'{local}' is of the namespace '{namespace}'", namespace)
             else:
-                self.here(f"{owner} has no feature '{local}'{did_you_mean(local, [n for n in entries if '}' not in n])}")
+                self.no_feature(type(element).eClass, local, entries)
             self.skip()
         elif entry.kind in (CHILD, CHILDREN):
             plan = self.child_plan(entry, attributes)
             return plan, entry if plan is not None else None
         elif entry.kind in (IGNORED, REFUSED):
             if entry.message:
-                self.foreign(self.expat.CurrentLineNumber, entry.message, "")
+                self.apart(entry.message)
             self.skip()
         elif attributes.get(f"{XSI}}}nil") in ("true", "1"):
             if entry.kind == REFERENCE:
@@ -537,20 +545,14 @@ class _Parser(Builder):
         package = self.package_of(uri)
         eclass = class_in(package, name)
         if eclass is None and package is None and self.several and self.document.roots:
-            self.foreign(self.expat.CurrentLineNumber, f"'{name}' is of the namespace '{uri}'", uri)
+            self.apart(f"'{name}' is of the namespace '{uri}'", uri)
             self.skip()
             return None, None
         if eclass is None:
-            raise Unreadable(
-                f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here",
-                self.expat.CurrentLineNumber,
-                "",
-                uri,
-            )
+            said = "belongs to no metamodel known here" if package is None else "is of no class of its metamodel"
+            raise Unreadable(f"the root element '{name}' of the namespace '{uri}' {said}", self.at(), "", uri)
         plan = self.plans.of(eclass)
-        if not self.usable(plan):
-            return None, None
-        return plan, FeatureEntry(ROOT)
+        return (plan, FeatureEntry(ROOT)) if self.usable(plan) else (None, None)
 
     def skip(self) -> None:
         """Pass over everything up to the end of the current element."""
@@ -571,9 +573,7 @@ class _Parser(Builder):
     def extension(self) -> None:
         """Say that an extension is not in the model; a strict read takes it as it always did."""
         if self.tells_foreign:
-            self.foreign(
-                self.expat.CurrentLineNumber, "an extension of XMI, of the tool that wrote the file, is not in the model", ""
-            )
+            self.apart("an extension of XMI, of the tool that wrote the file, is not in the model")
 
     # --- namespaces, and what a model has not
 

@@ -85,18 +85,18 @@ class Oddities:
     def __init__(self) -> None:
         self._kinds: dict[tuple[str, tuple[str, ...]], list[Any]] = {}
 
-    def add(self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str) -> None:
+    def add(
+        self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str, severity: Severity = Severity.warning
+    ) -> None:
         """Note one."""
-        known = self._kinds.setdefault((rule, kind), [0, place, text, fix])
+        known = self._kinds.setdefault((rule, kind), [0, place, text, fix, severity])
         known[0] += 1
 
     def findings(self) -> list[Finding]:
         """One of each kind, in the order in which they were met."""
         return [
-            Finding(
-                rule, Severity.warning, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix
-            )
-            for (rule, _), (number, place, text, fix) in self._kinds.items()
+            Finding(rule, severity, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix)
+            for (rule, _), (number, place, text, fix, severity) in self._kinds.items()
         ]
 
 
@@ -293,10 +293,11 @@ class _Reader:
             self.problems.append((Location(place, line), text))
 
         def foreign(line: int, text: str, uri: str) -> None:
-            fix = (
-                "give the metamodel of that namespace, if there is one" if uri else "none is needed: it stays as text in the file"
-            )
-            self.odd.add(FOREIGN, (place, uri or text), Location(place, line), text, fix)
+            where, kind = Location(place, line), (place, uri or text)
+            if uri:
+                self.odd.add(FOREIGN, kind, where, text, "give the metamodel of that namespace, if there is one")
+            else:
+                self.odd.add(FOREIGN, kind, where, text, "none is needed: it stays as text in the file", Severity.info)
             more.append(line)
 
         def illegal(line: int, feature: str, text: str) -> None:
@@ -307,12 +308,11 @@ class _Reader:
             more.append(line)
 
         more: list[int] = []
-        apart = None if self.strict else foreign
+        apart, wrong = (None, None) if self.strict else (foreign, illegal)
         if is_json(path) or is_yaml(path):
-            document = parse_json(path, data, self.plans, self.package, problem, apart)
+            document = parse_json(path, data, self.plans, self.package, problem, apart, wrong)
         else:
             locate = partial(self.locate, path)
-            wrong = None if self.strict else illegal
             document = parse(path, data, self.plans, self.package, locate, problem, apart, wrong)
         document.has_more = bool(more)
         for identity, line in document.shared_ids.items():
@@ -327,6 +327,9 @@ class _Reader:
     def _unknown(self, error: Unreadable) -> tuple[str, str]:
         """What is wrong with a file whose root has an unknown namespace, and what to do about it."""
         uri = error.namespace
+        if self.package(uri) is not None:
+            fix = "give the metamodel of the version that wrote the file; names of classes that annotations say are not read"
+            return error.text, fix
         if uri.startswith(OWN_NAMESPACES) and uri not in (current := built_in().uris()):
             family = uri.rpartition("/")[0]
             for known in (each for each in current if each.rpartition("/")[0] == family):
@@ -355,7 +358,7 @@ class _Reader:
         from robosmi.model.ecore.metamodel import Metamodel
 
         try:
-            loaded = Metamodel(make_packages(load_metamodels([path], classifiers=True)))
+            loaded = Metamodel(make_packages(load_metamodels([path], classifiers=True, stand_ins=True)))
         except RobosmiError as error:
             self._refused.add(path)
             self.give_up(error.location or referrer, error.message, error.fix or "")

@@ -18,7 +18,7 @@ from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.feature_values import FeatureOrderedSet
 from robosmi.model.elements.features import as_package
-from robosmi.model.elements.proxies import AS_READ, as_read, proxy_uri
+from robosmi.model.elements.proxies import AS_READ, as_read, proxy_uri, uri_from
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.written_file import WrittenFile
 from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column
@@ -218,6 +218,8 @@ class _Writer(WrittenFile):
 
     def metamodel_link(self, element: EObject, name: str, target: Any) -> str:
         """The URI of a metamodel's element, seen from this file."""
+        if proxy_uri(target) is not None:  # it is in a file that is not there
+            return uri_from(target, self.places.folder)
         try:
             file, fragment = self.places.in_metamodel(target)
             if not file:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from robosmi.base.data_text import Json
+from robosmi.base.located_json import NumberText
 from robosmi.errors import ModelError
 from robosmi.model.elements.ecore import EObject
 from robosmi.model.xmi.json_writer import number_text, tree_of
@@ -61,7 +62,7 @@ def _key(key: str) -> str:
 
 
 def _flow(value: Json) -> str:
-    return _quoted(value) if isinstance(value, str) else number_text(value)
+    return _quoted(value) if isinstance(value, str) and not isinstance(value, NumberText) else number_text(value)
 
 
 def _quoted(text: str) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 import robosmi
 
 FOLDER = Path(__file__).parent / "unsaid_pointers"
@@ -27,6 +29,20 @@ def test_types_and_calls_become_what_the_functions_take(tmp_path: Path) -> None:
 def test_what_no_prototype_mends_is_told_where_it_is_declared() -> None:
     plan = robosmi.plan_migration([FOLDER / "moods.c"]).plan
     assert {f.line for f in plan.findings if f.rule == "RS312"} == _marked("told")
+
+
+@pytest.mark.parametrize(
+    ("value", "lines"),
+    [("0", []), ("NULL", []), ("(void (*)()) 0", []), ("0x100", [3]), ("(void (*)())0x100", [3]), ("beep", [])],
+)
+def test_an_address_is_no_function_and_null_is_none(value: str, lines: list[int], tmp_path: Path) -> None:
+    path = tmp_path / "boot.c"
+    path.write_text(
+        f'#include "simpletools.h"\nvoid beep(int n) {{ high(n); }}\nvoid (*boot)() = {value};\n'
+        "int main(void) { boot = beep; boot(3); while (1) pause(1); }\n"
+    )
+    plan = robosmi.plan_migration([path]).plan
+    assert [f.line for f in plan.findings if f.rule == "RS312"] == lines
 
 
 def _marked(word: str) -> set[int]:

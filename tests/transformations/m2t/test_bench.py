@@ -62,6 +62,22 @@ def test_it_compiles_for_every_drawing(drawing: Path, tmp_path: Path) -> None:
     compiles(made(tmp_path, drawing))
 
 
+TRIED = {
+    "gps": [], "eye": ["tryRanger(2, 3)"], "button": ["tryLevel(4)"], "bridge": ["tryMotor(5, LOW)", "trySwitch(7, LOW)"],
+    "ping": ["tryRanger(6, 6)"], "pump switch": ["trySwitch(8, HIGH)"], "arm": ["tryServo(9, 1500)"], "beeper": ["trySound(10)"],
+    "weather": ["tryHumidity(11)"], "lamp": ["trySwitch(12, LOW)"], "knob": ["tryVoltage(A0)"], "heat": ["tryVoltage(A1)"],
+    "wheel": ["tryCount(A2)"], "motion": ["tryBus()"],
+}  # fmt: skip
+"""Each component of `everything.csv` and the calls that try it."""
+
+
+def test_each_component_is_tried_by_what_it_is(tmp_path: Path) -> None:
+    out = made(tmp_path, FOLDER / "everything.csv")
+    text = (out / "bench" / "idle_bench" / "idle_bench.ino").read_text()
+    cases = re.findall(r'case \d+:\n *Serial\.println\(F\("(.*?)"\)\);\n(.*?)break;', text, re.DOTALL)
+    assert {title: re.findall(r"try\w+\(.*?\)", calls) for title, calls in cases} == TRIED
+
+
 def test_there_are_a_dozen_drawings_and_sixteen_boards() -> None:
     assert len(DRAWINGS) >= 12
     assert len(COMPILED) >= 16

@@ -34,15 +34,20 @@ def text_of(result: Any) -> str:
     return str(result.contents[f"{result.models.plan.name}/MIGRATION.md"].decode())
 
 
-@pytest.fixture(params=CASES, ids=lambda case: str(case.name))
-def result(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
+@pytest.fixture(scope="module", params=CASES, ids=lambda case: str(case.name))
+def case(request: pytest.FixtureRequest) -> Path:
+    """Each case."""
+    return Path(request.param)
+
+
+@pytest.fixture(scope="module")
+def result(case: Path, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Each case, migrated."""
-    return made(request.param, tmp_path / "out")
+    return made(case, tmp_path_factory.mktemp(case.name) / "out")
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: str(case.name))
-def test_the_first_screen_is_what_a_person_plans_with(case: Path, tmp_path: Path) -> None:
-    first = text_of(made(case, tmp_path / "out")).partition("## Findings")[0]
+def test_the_first_screen_is_what_a_person_plans_with(case: Path, result: Any) -> None:
+    first = text_of(result).partition("## Findings")[0]
     assert first == (case / "expected.md").read_text()
 
 

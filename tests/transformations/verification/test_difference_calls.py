@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.transformations.verification.judgement.difference_calls import last_call_for
+from robosmi.transformations.verification.judgement.evidence import last_call_for
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.verify.original import LibraryCall
 

@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.transformations.verification.judgement.compared_outputs import compared_outputs
+from robosmi.transformations.verification.judgement.evidence import compared_outputs
 from robosmi.transformations.verification.judgement.verdict import verdict_of, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import DRIVEN, SourceRuns, channel_events
 from robosmi.transformations.verification.pause_comparison import PAUSES

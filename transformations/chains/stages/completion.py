@@ -5,14 +5,15 @@ the last build is still that of this program depend on its text: these are input
 and sizes to the plan. Nothing is written here. `migrate`, `generate` and `choose` share this chain; `output` generates the
 report from the completed plan and writes everything.
 
-The user's work in the program that was generated before is taken over (`UserEdits`): a body written into a placeholder counts as
-filled, a ticked task as done. Text written for a function that is no longer called stays in its file, disabled and with a
+The user's work in the program that was generated before is taken over (`UserEdits`): a body written into a placeholder counts
+as filled, a ticked task as done. Text written for a function that is no longer called stays in its file, disabled and with a
 comment, so that neither it nor a tick causes a merge conflict.
 
 Edits that could not be merged become tasks, so that the report shows them. The merge marks a conflict in the file
 (`generate.merge_edits`); the marks are read back, including those of earlier runs, which remain until the user resolves them.
 
-`compile` stores the memory use in its record beside the program. The report shows it only while every compiled file is unchanged.
+`compile` stores the memory use in its record beside the program. The report shows it only while every compiled file is
+unchanged.
 """
 
 from __future__ import annotations
@@ -28,9 +29,8 @@ from robosmi.chain import Chain
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError
 from robosmi.generate import Generation
-from robosmi.generate.last_generated import MergedTexts
 from robosmi.generate.manifest import Manifest
-from robosmi.generate.merge_edits import BASE, CONFLICT, GENERATED, MIDDLE, YOURS
+from robosmi.generate.merge_edits import BASE, CONFLICT, GENERATED, MIDDLE, YOURS, MergedTexts
 from robosmi.generate.output_paths import Places
 from robosmi.generate.record import Record
 from robosmi.generate.result import FileChange

@@ -40,7 +40,6 @@ from robosmi.transformations.m2m.moved_choices import (
     proposed_volts,
 )
 from robosmi.transformations.m2m.plan_tasks import settle
-from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.queries.circuits.former_titles import former_name, former_title
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import is_header
@@ -254,6 +253,8 @@ def _table(plan: migration.MigrationPlan, pins: Mapping[str, str], facts: Target
         if c.pin is not None
     ]  # fmt: skip
     parts: Sequence[hardware.Component] = list(plan.circuit.components) if plan.circuit is not None else []
+    from robosmi.transformations.m2t.pin_table import pin_table  # only a move without a drawing proposes pins
+
     return pin_table(rows, facts.board, path, rests_beyond_names(parts), proposed_volts(plan, facts.board_model))
 
 

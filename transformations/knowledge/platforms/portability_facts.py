@@ -131,8 +131,13 @@ class PortabilityFacts(Struct, frozen=True):
         return found.replace("#", numbers[0]) if numbers else found
 
     def move_to(self, chip: str, architecture: str) -> MoveFacts:
-        """What is different on a board: its microcontroller's facts, else its architecture's."""
+        """What differs from the boards that the platform began with: the microcontroller's facts, else its architecture's."""
         return self.moves.get(chip) or self.moves.get(architecture) or MoveFacts()
+
+    def move_between(self, source: tuple[str, str], target: tuple[str, str]) -> MoveFacts:
+        """What is different on one board from another; both are microcontroller and architecture."""
+        there = self.move_to(*target)
+        return there if there != self.move_to(*source) else MoveFacts(same=there.same, same_but=there.same_but)
 
 
 def portability_facts(platform: str) -> PortabilityFacts | None:

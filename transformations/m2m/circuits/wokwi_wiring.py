@@ -2,7 +2,7 @@
 
 A net is drawn as wires from one pin, the board's if it has one; breadboards are left out. A passive part that Wokwi lacks and
 that carries a signal is replaced by a wire and listed; any other such part is listed and not drawn. The file is written by
-`m2t/circuits/wokwi_project`.
+`m2t/sketch_project`.
 
 `parts/wokwi_types.toml` maps components of any drawing to Wokwi's types, and their connectors to the type's pins. A component
 without a matching type, or a connector that is no pin of the type, is left to the caller to list. Wokwi's own parts and pins are

@@ -2,13 +2,19 @@
 
 Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, and `main` is divided. Every element
 gets a disposition with the rule that decided and the reason. What a name means is data of the platforms; no rule knows a
-function by its name. A name that adapter pieces and their libraries declare at file scope cannot be declared by the program too.
+function by its name. A name that adapter pieces and their libraries declare at file scope cannot be declared by the program
+too.
+
+Code that a program starts on other cores runs on a target with one core as coroutines (`_concurrency`). A program that starts
+no such code, or only through functions without an adapter, has no such decision. The only changes of its text are calls of
+`yield` where it would otherwise starve the other coroutines: in loops, at backward jumps, in macros that are loops. Which loops
+have to yield, and how much stack is needed, is computed by `queries.resources.cooperation`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence, Set as AbstractSet
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set as AbstractSet
 from typing import TypeVar
 
 from robosmi.diagnostics import Finding
@@ -17,7 +23,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.api_facts import COMPILER
-from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
+from robosmi.transformations.knowledge.lexer import KEYWORDS, closing, tokens
 from robosmi.transformations.knowledge.libraries.library_ranking import library_api
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.platform_model import platform_part
@@ -45,16 +51,28 @@ from robosmi.transformations.m2m.adapters.placeholders import (
 from robosmi.transformations.m2m.language.decided_conditions import decided_conditions
 from robosmi.transformations.m2m.language.language_gap import TEXT_RULES as LANGUAGE_RULES, changes
 from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
-from robosmi.transformations.m2m.partition.concurrency import concurrency
 from robosmi.transformations.m2m.partition.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.partition.hoisting import hoist
 from robosmi.transformations.m2m.partition.renaming import RENAME, RENAME_HERE, hidden_adapters, renamings
 from robosmi.transformations.m2m.partition.text_changes import change_texts
 from robosmi.transformations.queries.adapter_signature import target_signature, target_types
-from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.block_braces import inside
+from robosmi.transformations.queries.code import CodeView, CogStart, cogs_of
 from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.plans.plan_adapters import closure
 from robosmi.transformations.queries.program_model import ProgramModel
+from robosmi.transformations.queries.programs.live_code import live_in
 from robosmi.transformations.queries.programs.main_function import Division, divide, main_of
+from robosmi.transformations.queries.resources.cooperation import (
+    Waiting,
+    gives_way,
+    giving_way,
+    loops_of,
+    main_loop,
+    stack_bytes,
+    starts_at_once,
+)
+from robosmi.transformations.queries.resources.stack_depth import CORE_INTERRUPT, IDLE, interrupt_bytes, measured_stacks
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
 
 T = TypeVar("T")
@@ -62,6 +80,10 @@ _WORD = re.compile(r"\b[A-Za-z_]\w*")
 rewrite, OWN = migration.Action.rewrite, migration.SignatureSource.program
 TEXT_RULES = LANGUAGE_RULES | {RENAME, RENAME_HERE}
 """Rules that each change a small part of an element's text, so that several of them can apply to one element."""
+
+_SPARE = 1.25
+"""Safety factor on the estimated stack size of a coroutine."""
+_ENDS = re.compile(r"_end\b|stop\b|join\b|exit\b")
 
 
 class Dependence:
@@ -147,7 +169,7 @@ def partition(
     result.divisions = [divide(main, reserved, words) for main in mains]
     if not target.model.platform or not target.model.platform.hasCogs:
         plain = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
-        result.concurrency = concurrency(views, result.adapters, result.divisions, plain)
+        result.concurrency = _concurrency(views, result.adapters, result.divisions, plain)
     apart = {a.name for a in result.adapters if a.signatureSource is not OWN}
     code = ProgramModel(views)
     judged = dispositions(
@@ -379,3 +401,174 @@ def library_names(pieces: Iterable[platform.Adapter], index: str, among: Abstrac
             found |= {each.name.rpartition("::")[2] for each in header.functions}
             found |= {*header.constants, *header.enums, *(name for names in header.enums.values() for name in names)}
     return frozenset(found & among)
+
+
+def _concurrency(
+    views: Sequence[CodeView],
+    uses: Sequence[migration.AdapterUse],
+    divisions: Sequence[Division],
+    texts: Sequence[SourceText],
+) -> migration.Concurrency | None:
+    """The decision how code started on other cores runs; None if the program starts none that an adapter supports.
+
+    Args:
+        views: a view of each unit.
+        uses: the adapters of the plan.
+        divisions: how each main is divided.
+        texts: the text of each unit.
+    """
+    filled = {str(use.name): closure([use.adapter]) for use in uses if use.adapter is not None}
+    starts = [s for view in views for s in cogs_of(view) if any(p.name == _YIELD for p in filled.get(s.via, ()))]
+    if not starts:
+        return None
+    functions = _functions(views, starts)
+    waiting = Waiting(giving_way(views, uses))
+    stacks = measured_stacks(filled.items())
+    handled = interrupt_bytes([p for pieces in filled.values() for p in pieces]) - CORE_INTERRUPT  # which is in IDLE
+    needs = [(f, IDLE + stack_bytes(f, stacks)) for f in functions]
+    most = max((need for _, need in needs), default=2 * IDLE)
+    live = {id(each) for each in live_in([view.unit for view in views])}
+    slots, why = starts_at_once([s.call for s in starts if id(s.call) in live], {name for name in filled if _ENDS.search(name)})
+    made = migration.Concurrency(
+        slots=slots,
+        stackBytes=-int((-most * _SPARE - handled) // 8) * 8,
+        starts=[s.call for s in starts],
+        functions=functions,
+        choice="coroutines",
+        chosenBy=migration.ChosenBy.rule,
+        confidence=1.0,
+        evidence=[
+            *why,
+            *(f"'{f.name}' needs about {need} bytes of stack" for f, need in needs),
+            *([f"interrupts use up to {handled} bytes of each stack"] if handled else []),
+        ],
+    )
+    divided = {id(d.loop) for d in divisions if d.loop is not None}
+    for view, text in zip(views, texts, strict=True):
+        made.changes.extend(_yields(view, text, waiting, divided))
+    made.loopGivesWay = any(
+        gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided
+    )
+    return made
+
+
+def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:
+    """The program's functions that are started on other cores, without duplicates."""
+    own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    return [own[name] for name in dict.fromkeys(s.function for s in starts) if name in own]
+
+
+# ---- calls of `yield`
+
+_GIVE_WAY = "give-way"
+"""Rule of text changes: a loop yields to the other coroutines."""
+_YIELD = "yield"
+"""The target's function that yields to the other coroutines, and the adapter piece that switches between them."""
+_REASON = "the others continue only when this loop waits"
+_HEAD = re.compile(rb"[ \t]*#[ \t]*define[ \t]+\w+(?:\([^)]*\))?")
+
+
+def _yields(view: CodeView, text: SourceText, waiting: Waiting, divided: set[int]) -> Iterator[migration.TextChange]:
+    """The changes that make those loops of a unit yield that may otherwise starve the other coroutines.
+
+    Args:
+        view: the unit.
+        text: its text.
+        waiting: which statements certainly wait, and so yield.
+        divided: `id()` of loops that became functions, which are called repeatedly.
+    """
+    macros: dict[int, ccode.Macro] = {}
+    for loop in loops_of(view):
+        if id(loop) in divided or gives_way(loop, waiting):
+            continue
+        use = _use_around(loop, view)
+        if use is None or _stands_behind(loop, use):
+            yield from _in_loop(loop, text)
+        elif use.macro is not None and use.macro in view.unit.macros:
+            macros[id(use.macro)] = use.macro
+    for macro in macros.values():
+        yield from _in_macro(macro, text)
+    for goto in view.of_kind(ccode.Goto):
+        if _use_around(goto, view) is None and _goes_back(goto, view, waiting):
+            start, end = int(goto.startOffset), text.statement_end(goto)
+            yield from (_change(text, start, start, f"{{ {_YIELD}(); "), _change(text, end, end, " }"))
+
+
+def _use_around(element: ccode.Located, view: CodeView) -> ccode.MacroUse | None:
+    """The macro use that an element begins in, so that its text is in the macro; None if it is in the unit's text."""
+    uses = (use for use in view.unit.macroUses if use.startOffset <= element.startOffset < use.endOffset)
+    return next(uses, None)
+
+
+def _stands_behind(loop: ccode.Loop, use: ccode.MacroUse) -> bool:
+    """Whether only the head of a loop comes from the macro and its body is in the text (`FOR_EVER { ... }`, `UNTIL(x);`)."""
+    return loop.body is not None and loop.body.startOffset >= use.endOffset
+
+
+def _goes_back(goto: ccode.Goto, view: CodeView, waiting: Waiting) -> bool:
+    """Whether a goto jumps backwards over statements none of which certainly waits."""
+    function = ancestor_of_kind(goto, ccode.Function)
+    labels = (each for each in view.of_kind(ccode.Label) if each.name == goto.labelName)
+    label = next((each for each in labels if ancestor_of_kind(each, ccode.Function) is function), None)
+    if label is None or label.startOffset > goto.startOffset:
+        return False
+    block = ancestor_of_kind(label, ccode.Block)
+    between = (
+        (s for s in block.statements if label.startOffset <= s.startOffset and s.endOffset <= goto.startOffset) if block else ()
+    )
+    return not any(waiting.waits(s.statement if isinstance(s, ccode.Label) else s) for s in between)
+
+
+def _in_loop(loop: ccode.Loop, text: SourceText) -> list[migration.TextChange]:
+    """The shortest change that makes a loop yield in each iteration."""
+    body = loop.body
+    if isinstance(body, ccode.Block):
+        start = inside(text.data, body)[0]
+        return [_change(text, start, start, f" {_YIELD}();")]
+    if body is None or isinstance(body, ccode.EmptyStatement):
+        end = text.data.find(b";", int(body.startOffset) if body is not None else int(loop.endOffset))
+        return [_change(text, end, end + 1, f" {_YIELD}();")] if end >= 0 else []
+    start, end = int(body.startOffset), text.statement_end(body)
+    return [_change(text, start, start, f"{{ {_YIELD}(); "), _change(text, end, end, " }")]
+
+
+def _in_macro(macro: ccode.Macro, text: SourceText) -> Iterator[migration.TextChange]:
+    """The same for loops in a macro's definition: `while (x);`, `for (;;) { ... }`, `do { ... } while (x)`."""
+    head = _HEAD.match(text.data, int(macro.startOffset), int(macro.endOffset))
+    first = head.end() if head is not None else text.data.find(str(macro.name).encode(), int(macro.startOffset)) + len(macro.name)
+    words = [t for t in tokens(text.data[first : macro.endOffset]) if t[0] != "comment" and t[3] != "\\"]
+    opened: list[bool] = []  # of each brace that is open: whether it is the body of a do
+    at, tail = 0, False
+    while at < len(words):
+        word = words[at][3]
+        if word == "{":
+            opened.append(at > 0 and words[at - 1][3] == "do")
+            if opened[-1]:
+                place = first + words[at][2]
+                yield _change(text, place, place, f" {_YIELD}();")
+        elif word == "}":
+            tail = bool(opened and opened.pop())
+        elif word in ("while", "for") and not tail:
+            close = closing(words, at + 1)
+            if close == len(words):
+                return
+            following = words[close + 1] if close + 1 < len(words) else None
+            if following is not None and following[3] in ("{", ";"):
+                block = following[3] == "{"
+                place = first + (following[2] if block else following[1])
+                yield _change(text, place, place, f" {_YIELD}()" + ";" * block)
+        else:
+            tail = False
+        at += 1
+
+
+def _change(text: SourceText, start: int, end: int, new: str) -> migration.TextChange:
+    return migration.TextChange(
+        unit=text.unit,
+        startOffset=start,
+        endOffset=end,
+        replacement=new,
+        rule=_GIVE_WAY,
+        reason=_REASON,
+        step=migration.Step.code,
+    )

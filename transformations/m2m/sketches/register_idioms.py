@@ -1,7 +1,7 @@
 """What is left of register idioms when their pins are bound: functions of interrupts, and statements without a purpose there.
 
-Pin change interrupts become functions that `attachInterrupt` calls; the statements that prepare a conversion, or wait for it, go,
-since `analogRead` does both. The pins themselves are changed with their bindings (`m2m.ports.port_registers`).
+Pin change interrupts become functions that `attachInterrupt` calls; the statements that prepare a conversion, or wait for it,
+go, since `analogRead` does both. The pins themselves are changed with their bindings (`m2m.ports.port_texts`).
 """
 
 from __future__ import annotations

@@ -20,8 +20,7 @@ from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
 from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, shared_names, statics, type_name
 from robosmi.transformations.queries.flows.cores import handed_over
-from robosmi.transformations.queries.flows.initial_constants import Initialisers, initialised_constant
-from robosmi.transformations.queries.flows.listed_values import designates, gone_through, listed_types
+from robosmi.transformations.queries.flows.listed_values import Initialisers, designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import CutNumbers, pin_number
 from robosmi.transformations.queries.flows.pointed_calls import called_lambdas
 from robosmi.transformations.queries.flows.pointers import (
@@ -253,7 +252,7 @@ class FlowReader:
         key = self.key(literal)
         if key not in self._known:
             self._known.add(key)
-            name, within, holder = initialised_constant(literal, self._initialisers)
+            name, within, holder = self._initialisers.constant(literal)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
             start, end, number = int(literal.startOffset), int(literal.endOffset), int(literal.value)
@@ -275,7 +274,7 @@ class FlowReader:
         key = self.key(reference)
         if key not in self._known:
             self._known.add(key)
-            name, within, holder = initialised_constant(reference, self._initialisers)
+            name, within, holder = self._initialisers.constant(reference)
             unit = ancestor_of_kind(reference, ccode.SourceUnit)
             assert unit is not None
             start, end = int(reference.startOffset), int(reference.endOffset)

@@ -40,7 +40,7 @@ WORD = 32
 _ALL = (1 << WORD) - 1
 _TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
 
-_T = TypeVar("T", int, frozenset[int])
+_T = TypeVar("_T", int, frozenset[int])
 """A set: the bits of a number, or numbers."""
 _DEEPEST = 40
 """Equations that may wait for each other, within Python's own stack; what lies deeper is unbounded."""
@@ -205,11 +205,11 @@ def _unit(expression: Element | None) -> int:
 
 def union(parts: Iterable[int | None]) -> int | None:
     """The union of some masks; None if one of them is unknown."""
-    return _union(parts, 0)
+    return _united(parts, 0)
 
 
 def _together(parts: Iterable[frozenset[int] | None]) -> frozenset[int] | None:
-    return _union(parts, frozenset())
+    return _united(parts, frozenset())
 
 
 class MemberKey(Struct, frozen=True):
@@ -461,7 +461,7 @@ class FixedPoints(Generic[_T]):
             self._settled.add(point)
             self.active[point] = None
             for part in parts() if before is not None else ():
-                self._found[point] = _union([self._found[point], part], self._nothing)  # later parts may read it
+                self._found[point] = _united([self._found[point], part], self._nothing)  # later parts may read it
                 if self._found[point] is None:
                     break
             del self.active[point]
@@ -480,7 +480,7 @@ class FixedPoints(Generic[_T]):
             pending += read
 
 
-def _union(parts: Iterable[_T | None], nothing: _T) -> _T | None:
+def _united(parts: Iterable[_T | None], nothing: _T) -> _T | None:
     """The union of some sets; None if one of them is unbounded.
 
     Args:

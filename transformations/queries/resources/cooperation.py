@@ -1,8 +1,8 @@
 """Code of other cores as coroutines on one: which loops must yield, how many coroutines run at once, and their stacks.
 
 A coroutine runs until it waits, so a loop that waits for another coroutine must yield to it. Which functions wait is data of
-the platform and of its adapters; the rest is read off the code model. `m2m.partition.concurrency` makes the plan's decisions
-from this.
+the platform and of its adapters; the rest is read off the code model. `m2m.partition.platform_dependence` makes the plan's
+decisions from this.
 """
 
 from __future__ import annotations

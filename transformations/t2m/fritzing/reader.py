@@ -1,6 +1,6 @@
 """Reads a Fritzing sketch: a file in, a `hardware.Circuit` and findings out.
 
-The order of work: bytes (`container`), records (`document`), definitions in the file and parts that Fritzing makes up
+The order of work: bytes and records (`container`), definitions in the file and parts that Fritzing makes up
 (`part_file`), nets of the view that is used (`ViewWiring`). What is known of parts, roles, pins, rails and the
 model itself are made as for every tool (`t2m/drawing`). Components are in the order of their model index and connectors in
 their part's order, so that the same drawing gives the same model. Of parts that conduct by bus only, such as breadboards, only
@@ -30,8 +30,14 @@ from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node, natural
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.transformations.t2m.fritzing.container import Container, read_container
-from robosmi.transformations.t2m.fritzing.document import VIEWS, FritzingSketch, Instance, parse_sketch
+from robosmi.transformations.t2m.fritzing.container import (
+    VIEWS,
+    Container,
+    FritzingSketch,
+    Instance,
+    parse_sketch,
+    read_container,
+)
 from robosmi.transformations.t2m.fritzing.part_file import TOOL, generated_part, parse_part
 
 _DERIVED = 8 | 16

@@ -217,6 +217,23 @@ inline void simpleterm_close() {
   dport_ptr = 0;
 }
 
+//# helper usb_console
+//#   ram: 4
+//#   fidelity: USB takes text at once: the program waits as long as a line of the console's rate would send it
+static uint32_t console_byte_us = 87;  // of 10 bits
+
+inline void wait_for_usb(Stream &port, int32_t bytes) {
+  uint32_t begun = micros(), us = bytes * console_byte_us;
+  port.flush();
+  delay(us / 1000);
+  while (micros() - begun < us) yield();
+}
+
+inline void begin_usb(uint32_t baud) {
+  Serial.begin(baud);
+  if (baud) console_byte_us = 10000000UL / baud;
+}
+
 //# adapter simpleterm_open
 //#   for: terminal *simpleterm_open(void)
 //#   kind: semantic

@@ -16,7 +16,7 @@ import pytest
 from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m import guarded_xml
-from robosmi.transformations.t2m.fritzing import container, document, read_circuit
+from robosmi.transformations.t2m.fritzing import container, read_circuit
 from robosmi.transformations.t2m.fritzing.container import read_container
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
@@ -183,7 +183,7 @@ def test_numbers_as_long_as_you_like_are_only_texts(tmp_path: Path) -> None:
 
 
 def test_more_parts_than_a_drawing_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(document, "MAX_INSTANCES", 2)
+    monkeypatch.setattr(container, "MAX_INSTANCES", 2)
     path = tmp_path / "a.fz"
     path.write_bytes(SKETCH)
     error = refused(path)

@@ -13,8 +13,7 @@ from robosmi.metamodels import hardware
 from robosmi.transformations.chains.hardware import hardware as hardware_of
 from robosmi.transformations.queries.circuits.circuit import circuit_graph
 from robosmi.transformations.t2m.fritzing import read_circuit
-from robosmi.transformations.t2m.fritzing.container import read_container
-from robosmi.transformations.t2m.fritzing.document import parse_sketch
+from robosmi.transformations.t2m.fritzing.container import parse_sketch, read_container
 from tests.evaluation.scoring.sketches import labelled_sketches
 from tests.evaluation.sources import sketch_file
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, zipped

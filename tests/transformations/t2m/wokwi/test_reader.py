@@ -315,6 +315,26 @@ def test_a_wire_has_its_colour_its_ends_and_its_net(tmp_path: Path) -> None:
     assert len(second.ends) == 1
 
 
+def test_all_symbols_of_a_supply_are_one_net(tmp_path: Path) -> None:
+    parts = [
+        UNO,
+        LED,
+        part("b", "wokwi-pushbutton"),
+        *(part(f"{kind}{n}", f"wokwi-{kind}") for kind in ("gnd", "vcc") for n in (1, 2)),
+    ]
+    pairs = [
+        ("led1:C", "gnd1:GND"),
+        ("uno:GND.1", "gnd2:GND"),
+        ("uno:5V", "vcc1:VCC"),
+        ("vcc2:VCC", "b:1.l"),
+        ("uno:13", "led1:A"),
+    ]
+    circuit, _ = read_circuit(diagram(tmp_path, parts, [[*pair, "", []] for pair in pairs]))
+    rails: list[Any] = [net for net in circuit.nets if net.rail]
+    nets = [{str(c.eContainer().title) for c in net.connectors} - {"uno"} for net in rails]
+    assert sorted(map(sorted, nets)) == [["b", "vcc1", "vcc2"], ["gnd1", "gnd2", "led1"]]
+
+
 def test_half_of_a_character_in_a_name_is_one_that_files_can_hold(tmp_path: Path) -> None:
     path = tmp_path / "diagram.json"
     path.write_text(

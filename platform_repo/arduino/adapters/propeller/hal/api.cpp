@@ -567,24 +567,13 @@ inline void begin_console(uint32_t baud) { Serial.begin(baud); }
 
 //# helper wait_for_console
 //#   architecture: renesas_uno teensy mbed_nano
-//#   ram: 4
-//#   fidelity: USB takes text at once: the program waits as long as a line of the console's rate would send it
-static uint32_t console_byte_us = 87;  // of 10 bits
-
-inline void wait_for_console(Stream &port, int32_t bytes) {
-  uint32_t begun = micros(), us = bytes * console_byte_us;
-  port.flush();
-  delay(us / 1000);
-  while (micros() - begun < us) yield();
-}
+//#   needs: simpletext.h/usb_console
+inline void wait_for_console(Stream &port, int32_t bytes) { wait_for_usb(port, bytes); }
 
 //# helper begin_console
 //#   architecture: renesas_uno teensy mbed_nano
-//#   needs: wait_for_console
-inline void begin_console(uint32_t baud) {
-  Serial.begin(baud);
-  if (baud) console_byte_us = 10000000UL / baud;
-}
+//#   needs: simpletext.h/usb_console
+inline void begin_console(uint32_t baud) { begin_usb(baud); }
 
 //# helper SerialLine
 //#   needs: Io PinWatch Uninterrupted simpletools.h/TimedInput

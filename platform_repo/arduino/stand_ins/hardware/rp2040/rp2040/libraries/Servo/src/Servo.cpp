@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t PIO[2] = {0x50200000, 0x50300000};
 constexpr uint32_t CONTROL = 0, QUEUE = 0x10, MEMORY = 0x48, FIRST_MACHINE = 0xc8, PER_MACHINE = 0x18;
 constexpr uint32_t CLOCK = 0, WRAP = 4, SHIFT = 8, ADDRESS = 12, EXECUTE = 16, PINS = 20;
-constexpr uint32_t SHIFT_RIGHT = 1 << 19, ONE_PIN = 1 << 26, PIN_IS_OUTPUT = 0xe081;
+constexpr uint32_t SHIFT_RIGHT = 1 << 19, JOINED = 1u << 31, ONE_PIN = 1 << 26, PIN_IS_OUTPUT = 0xe081;
 constexpr uint32_t FIRST = 24, REST = FIRST + 7;
 // One instruction takes a microsecond. A word has the width in its lower half and the rest of the frame in its upper one.
 constexpr uint16_t PROGRAM[] = {
@@ -27,7 +27,9 @@ int8_t pinOf[MAX_SERVOS] = {-1, -1, -1, -1, -1, -1, -1, -1};
 
 uint32_t block(int place) { return PIO[place / 4]; }
 uint32_t machine(int place) { return block(place) + FIRST_MACHINE + PER_MACHINE * (place % 4); }
-void send(int place, int width) {
+void send(int place, int width) {  // the next frame has the last width: those before it leave the queue
+  reg(machine(place) + SHIFT) = SHIFT_RIGHT | JOINED;
+  reg(machine(place) + SHIFT) = SHIFT_RIGHT;
   reg(block(place) + QUEUE + 4 * (place % 4)) = (uint32_t)(REFRESH_INTERVAL - width - LOW_BESIDE) << 16 | (width - HIGH_BESIDE);
 }
 
