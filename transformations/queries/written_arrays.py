@@ -64,11 +64,8 @@ class WrittenArrays:
             function = ancestor_of_kind(around, ccode.Function)
             return function is None or "&" in str(function.returnType.spelling if function.returnType is not None else "")
         if isinstance(around, ccode.Call) and element is not around.calleeExpression:
-            given = isinstance(around.callee, ccode.Function) and self._given(
-                around,
-                list(around.arguments).index(element),
-                inside=True,  # type: ignore[arg-type]
-            )
+            place = list(around.arguments).index(element)  # type: ignore[arg-type]
+            given = isinstance(around.callee, ccode.Function) and self._given(around, place, inside=True)
             return given if isinstance(given, bool) else self.is_written(given)
         if isinstance(around, (ccode.InitializerList, ccode.ConstructorCall, ccode.MemberInitializer)):
             return self._has_referring_members(reference)

@@ -391,8 +391,9 @@ class GivenValues:
     def _each(self, declaration: ccode.DeclarationStatement, values: ccode.Expression) -> None:
         """Give the variable of a loop over a range the values of the range."""
         for variable in declaration.declarations:
-            for one in leaves(values) if isinstance(variable, ccode.Variable) else ():
-                self._give(self._declared(variable), one, variable.valueType)
+            if isinstance(variable, ccode.Variable):
+                for one in leaves(values):
+                    self._give(self._declared(variable), one, variable.valueType)
 
     def _fields(self, record: ccode.Record) -> None:
         keys = [MemberKey(str(field.name), record_key(record)) for field in record.fields]
