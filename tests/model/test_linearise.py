@@ -6,7 +6,6 @@ from robosmi.diagnostics import Location
 from robosmi.model.ecore.ecore_description import Class, Package
 from robosmi.model.ecore.linearise import bases, topological
 
-
 WHERE = Location("ladder.ecore")
 PACKAGE = Package("ladder", WHERE)
 

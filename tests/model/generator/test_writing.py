@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -62,6 +63,7 @@ def test_files_of_a_person_beside_generated_ones_stay(tmp_path: Path) -> None:
 def test_a_package_that_is_gone_from_the_metamodel_is_removed(tmp_path: Path) -> None:
     metamodel = tmp_path / "root.ecore"
     metamodel.write_text(CIRCLES.read_text())
+    shutil.copy(CIRCLES.with_name("apart.ecore"), tmp_path)
     generate_packages([metamodel], tmp_path / "made")
     start, end = '  <eSubpackages name="empty"', "</ecore:EPackage>"
     text = CIRCLES.read_text()
