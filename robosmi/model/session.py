@@ -139,6 +139,9 @@ class Session:
         for path, text in changed.items():
             back_up_comments(path, text)
             write_atomic(path, text)
+        for model in self._models:
+            if isinstance(model, EmfModel):
+                model.others_are_saved()
         for model in others:
             model.save()
         return [*changed, *(model.path for model in others if model.path is not None)]
