@@ -32,7 +32,7 @@ def test_an_edited_or_foreign_file_stops_the_run_and_stays(name: str, foreign: b
     if foreign:
         path.parent.mkdir(parents=True)
     else:
-        generate_packages([CIRCLES], tmp_path)
+        generate_packages([str(CIRCLES)], str(tmp_path))
     path.write_text("# a person's\n")
     before = tree(tmp_path)
     with pytest.raises(StoppedError, match="was not made by robosmi" if foreign else "was changed since the last run"):
