@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -35,6 +35,14 @@ _PIN_KEYS = (
 )  # fmt: skip
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
+SIGNALS = {"spi": ("MOSI", "MISO", "SCK", "SS"), "i2c": ("SDA", "SCL"), "uart": ("RX", "TX")}
+"""The buses of `[buses]` and their signals."""
+_MOST_VOLTS = 6.0
+"""No pin of a microcontroller gives or bears more."""
+_MISSPELT = 0.84
+"""A core as similar as that to a known one is a misspelt one; arduboy:avr is not (0.82 to arduino:avr)."""
+_MOST_NUMBER = 254
+"""Cores have numbers of one byte, whose greatest value is no pin."""
 _BOARD_KEYS = (
     "name",
     "title",
@@ -108,7 +116,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         title=table.text("title", path.stem),
         microcontroller=chip,
         clockHertz=table.positive("f_cpu"),
-        volts=table.decimal("volts"),
+        volts=_volts(table, "volts"),
         led=led,
         bootLoader=_boot_loader(table.table("boot_loader")) if "boot_loader" in table.values else None,
         pins=pins,
@@ -138,7 +146,7 @@ def check_drawn(table: DataTable) -> None:
             check_keys(entry, known)
 
 
-def check_keys(table: DataTable, known: Sequence[str]) -> None:
+def check_keys(table: DataTable, known: Collection[str]) -> None:
     """Refuse an unknown key (PlatformDataError), which would be ignored silently."""
     for key in table.values:
         if key not in known:
@@ -170,7 +178,7 @@ def _pin(entry: DataTable, timers: Sequence[str], shared_channels: bool) -> plat
         channel=channel,
         reserved=entry.text("reserved", ""),
         drivenByCore=entry.flag("driven_by_core", False),
-        bearsVolts=entry.decimal("bears_volts") if "bears_volts" in entry.values else 0.0,
+        bearsVolts=_volts(entry, "bears_volts") if "bears_volts" in entry.values else 0.0,
         interruptLine=entry.text("interrupt_line", ""),
     )
 
@@ -189,7 +197,11 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
     if (path := _chip_file(name, project)) is None:
         known = sorted({file.stem for folder in folders(KIND, project) for file in (folder / "mcus").glob("*.toml")})
         problem = f"is '{name}', an unknown microcontroller{did_you_mean(name, known)}"
-        raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
+        error = named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
+        error.fix = (
+            f"use one of: {', '.join(known)}; or describe it in mcus/{name}.toml beside boards/ (docs/how-to/add-a-target.md)"
+        )
+        raise error
     table = table_of(path)
     check_keys(table, OF_MICROCONTROLLERS)
     uses = []
@@ -217,22 +229,35 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         signature=_signature(table),
         pinMilliamperes=table.optional_number("pin_ma") or 0,
         totalMilliamperes=table.optional_number("total_ma") or 0,
-        pinVolts=table.decimal("pin_volts") if "pin_volts" in table.values else 0.0,
+        pinVolts=_volts(table, "pin_volts") if "pin_volts" in table.values else 0.0,
         timers=[platform.Timer(name=t.text("name"), bits=t.number("bits")) for t in table.tables("timers")],
         buses=_buses(table),
         uses=uses,
     )
 
 
+def _volts(table: DataTable, key: str) -> float:
+    """A voltage of a pin.
+
+    Raises:
+        PlatformDataError: it is none that a pin has.
+    """
+    if not 0 < (volts := table.decimal(key)) <= _MOST_VOLTS:
+        raise table.error(key, f"must be above 0 and at most {_MOST_VOLTS:g} V, it is {volts:g}")
+    return volts
+
+
 def _buses(table: DataTable, ports: Sequence[str] | None = None) -> list[platform.PinBus]:
     """The buses of a file; of a board, at its own pins.
 
     Raises:
-        PlatformDataError: a signal is at a port that none of the board's pins has.
+        PlatformDataError: there is no such bus or signal, or a signal is at a port that none of the board's pins has.
     """
     found, said = [], table.table("buses", needed=False)
+    check_keys(said, SIGNALS)
     for bus in said.values:
         lines = said.table(bus)
+        check_keys(lines, SIGNALS[bus])
         for signal in lines.values:
             if ports is not None and lines.text(signal) not in ports:
                 raise lines.error(
@@ -299,6 +324,15 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
                 raise table.error(f"{key}.{label}", f"is not a pin of this board{did_you_mean(label, labels)}")
     rules = _literal_rules(platform_name, project)
     core = _core(table.text("fqbn", "") if table is not None else "", platform_name, project)
+    written = [literals.get(pin.label) or _numbered(pin, rules, numbers) for pin in board.pins]
+    if table is not None:
+        usual = _check_core(table, _settings(platform_name, project), str(chip.architecture) if chip is not None else "")
+        if numbers or (not usual and any(map(str.isdecimal, written))):
+            _check_complete(table, [label for label in labels if label not in numbers and label not in literals])
+        _check_numbers(table, board.pins, {"numbers": numbers, "interrupts": interrupts}, core.text("numbers_by_port", ""))
+        if len({*written}) < len(written):
+            twice = sorted({word for word in written if written.count(word) > 1})
+            raise table.error("literals", f"and 'numbers' give two pins one name in programs: {', '.join(twice)}")
     return platform.BoardMapping(
         board=board,
         boardId=table.text("fqbn", "") if table is not None else "",
@@ -316,13 +350,77 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         pinNames=[
             platform.PinName(
                 pin=pin,
-                literal=literals.get(pin.label) or _numbered(pin, rules, numbers),
+                literal=literal,
                 interrupt=interrupts.get(pin.label, -1),
                 number=-1 if _tells_its_number(pin) else numbers.get(pin.label, -1),
             )
-            for pin in board.pins
+            for pin, literal in zip(board.pins, written, strict=True)
         ],
     )
+
+
+def _check_complete(table: DataTable, lacking: Sequence[str | None]) -> None:
+    if lacking:
+        raise table.error(
+            f"numbers.{lacking[0]}",
+            f"is missing: programs would take the number in the label of {', '.join(map(str, lacking))}",
+            f"add the number of each pin, such as {lacking[0]} = 0, from pins_arduino.h or variant_NAME.cpp of the core's variant",
+        )
+
+
+def _check_numbers(table: DataTable, pins: Iterable[platform.Pin], said: Mapping[str, Mapping[str, int]], by_port: str) -> None:
+    """Refuse numbers with which programs would use another pin than they name.
+
+    Args:
+        table: the mapping.
+        pins: those of the board.
+        said: its tables `numbers` and `interrupts`, by key.
+        by_port: a regular expression for a port, whose group is the core's number of a pin there; empty where ports do not tell.
+
+    Raises:
+        PlatformDataError: a number is none of a pin, two pins have it, or the core calls another port so.
+    """
+    ports = {pin.label: str(pin.port) for pin in pins}
+    for key, numbers in said.items():
+        bearers = dict(zip(numbers.values(), numbers, strict=True))
+        for label, number in numbers.items():
+            if not 0 <= number <= _MOST_NUMBER:
+                raise table.error(f"{key}.{label}", f"is {number}, but cores have numbers from 0 to {_MOST_NUMBER}")
+            if by_port and (of_port := re.fullmatch(by_port, ports[label])) and int(of_port[1]) != number:
+                problem = f"is {number}, but the pin is at {ports[label]}, which is {of_port[1]} in this core"
+                raise table.error(f"{key}.{label}", problem, f"write {label} = {of_port[1]}, or correct the port of {label}")
+            if (other := bearers[number]) != label:
+                raise table.error(
+                    f"{key}.{other}",
+                    f"is {number}, which is also that of {label}: programs would use one pin for both",
+                    "correct one of them: pins_arduino.h or variant_NAME.cpp of the variant has both",
+                )
+
+
+def _check_core(table: DataTable, settings: DataTable, architecture: str) -> bool:
+    """Refuse a core that looks like a misspelt one, or is for other processors.
+
+    Args:
+        table: the mapping, whose `fqbn` begins with the core.
+        settings: those of the platform.
+        architecture: of the board's microcontroller.
+
+    Returns:
+        Whether the board has a processor as the platform's usual core is for.
+
+    Raises:
+        PlatformDataError: the core is wrong.
+    """
+    name, own = ":".join(table.text("fqbn", "").split(":")[:2]), settings.text("core_name", "")
+    is_usual = architecture == settings.text("architecture", "")
+    known = [*settings.table("cores", needed=False).values, own]
+    if name in known and (is_usual or name == own) and architecture not in name.split(":"):
+        raise table.error("fqbn", f"names the core '{name}', which is not for '{architecture}', the architecture of 'mcu'")
+    if name not in known:
+        similar = did_you_mean(name, [core for core in known if architecture in core.split(":")], _MISSPELT)
+        if similar:
+            raise table.error("fqbn", f"names '{name}', an unknown core{similar}")
+    return is_usual
 
 
 def _tells_its_number(pin: platform.Pin) -> bool:

@@ -27,7 +27,7 @@ OF_MICROCONTROLLERS = (
     "buses", "takes", "shared_channels", "pin_volts",
 )  # fmt: skip
 """Keys of `mcus/NAME.toml`."""
-OF_CORES = ("index_url", "platformio", "platformio_settings")
+OF_CORES = ("index_url", "platformio", "platformio_settings", "numbers_by_port")
 """Keys of a table `[cores.NAME]` of a target platform."""
 TAKES = ("functions", "libraries", "parts", "timers", "pins", "buses", "when", "ram_bytes")
 """Keys of an entry `[[takes]]` of a microcontroller."""
