@@ -364,7 +364,7 @@ def _check_complete(table: DataTable, lacking: Sequence[str | None]) -> None:
         raise table.error(
             f"numbers.{lacking[0]}",
             f"is missing: programs would take the number in the label of {', '.join(map(str, lacking))}",
-            f"add the number of each pin, such as {lacking[0]} = 0, from pins_arduino.h or variant_NAME.cpp of the core's variant",
+            f"add the number of each pin, such as {lacking[0]} = 0, from pins_arduino.h or variant_NAME.cpp of the variant",
         )
 
 
@@ -382,19 +382,20 @@ def _check_numbers(table: DataTable, pins: Iterable[platform.Pin], said: Mapping
     """
     ports = {pin.label: str(pin.port) for pin in pins}
     for key, numbers in said.items():
-        bearers = dict(zip(numbers.values(), numbers, strict=True))
+        bearers: dict[int, str] = {}
         for label, number in numbers.items():
             if not 0 <= number <= _MOST_NUMBER:
                 raise table.error(f"{key}.{label}", f"is {number}, but cores have numbers from 0 to {_MOST_NUMBER}")
             if by_port and (of_port := re.fullmatch(by_port, ports[label])) and int(of_port[1]) != number:
                 problem = f"is {number}, but the pin is at {ports[label]}, which is {of_port[1]} in this core"
                 raise table.error(f"{key}.{label}", problem, f"write {label} = {of_port[1]}, or correct the port of {label}")
-            if (other := bearers[number]) != label:
+            if number in bearers:
                 raise table.error(
-                    f"{key}.{other}",
-                    f"is {number}, which is also that of {label}: programs would use one pin for both",
+                    f"{key}.{label}",
+                    f"is {number}, which is also that of {bearers[number]}: programs would use one pin for both",
                     "correct one of them: pins_arduino.h or variant_NAME.cpp of the variant has both",
                 )
+            bearers[number] = label
 
 
 def _check_core(table: DataTable, settings: DataTable, architecture: str) -> bool:
@@ -610,7 +611,7 @@ def check_ports(pins: Iterable[platform.Pin], text: str, board: DataTable, chip:
             raise PlatformDataError(
                 f"the port of '{pin.label}' is '{pin.port}', which is not a pin of the microcontroller '{chip.path.stem}'",
                 location=Location(str(board.path), line_of_value(text, str(pin.port))),
-                fix=f"write one of its ports ({re.sub(r'[|]', ', ', known.pattern)}), or give the board's microcontroller",
+                fix=f"write a port that matches {known.pattern}, or give the board's microcontroller",
             )
 
 
