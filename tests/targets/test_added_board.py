@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
+from robosmi.resources import built_in
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.knowledge.board_models import load_board, load_mapping
 from robosmi.transformations.verification import api_build
@@ -196,6 +197,14 @@ def test_a_microcontroller_without_a_table_is_the_cause_why_a_program_is_not_jud
     done = run("simulate", "out")
     assert done.code == 2
     assert "add a table [stm32f103c8] to simulation/api.toml" in done.err
+
+
+def test_the_page_names_the_microcontrollers_that_are_there() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "how-to" / "add-a-board.md").read_text()
+    (listed,) = re.findall(r"^- `mcu` is one of .+?: (.+?)\. Another", page, re.MULTILINE | re.DOTALL)
+    assert sorted(re.findall(r"`(\w+)`", listed)) == sorted(
+        file.stem for file in (built_in("platform_repo") / "mcus").glob("*.toml")
+    )
 
 
 def test_a_board_that_the_stand_in_does_not_know_needs_data(project: Path) -> None:
