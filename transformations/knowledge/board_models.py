@@ -22,7 +22,14 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
-from robosmi.transformations.knowledge.data_keys import OF_CORES, OF_MICROCONTROLLERS, TAKES
+from robosmi.transformations.knowledge.data_keys import (
+    OF_CORES,
+    OF_MICROCONTROLLERS,
+    TAKES,
+    check_complete,
+    check_core,
+    check_numbers,
+)
 
 KIND = "platform_repo"
 _HAS_PINS = re.compile(r"^\s*(?:pins\b|\[\[pins\]\])", re.MULTILINE)
@@ -39,10 +46,6 @@ SIGNALS = {"spi": ("MOSI", "MISO", "SCK", "SS"), "i2c": ("SDA", "SCL"), "uart": 
 """The buses of `[buses]` and their signals."""
 _MOST_VOLTS = 6.0
 """No pin of a microcontroller gives or bears more."""
-_MISSPELT = 0.84
-"""A core as similar as that to a known one is a misspelt one; arduboy:avr is not (0.82 to arduino:avr)."""
-_MOST_NUMBER = 254
-"""Cores have numbers of one byte, whose greatest value is no pin."""
 _BOARD_KEYS = (
     "name",
     "title",
@@ -326,10 +329,10 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
     core = _core(table.text("fqbn", "") if table is not None else "", platform_name, project)
     written = [literals.get(pin.label) or _numbered(pin, rules, numbers) for pin in board.pins]
     if table is not None:
-        usual = _check_core(table, _settings(platform_name, project), str(chip.architecture) if chip is not None else "")
+        usual = check_core(table, _settings(platform_name, project), str(chip.architecture) if chip is not None else "")
         if numbers or (not usual and any(map(str.isdecimal, written))):
-            _check_complete(table, [label for label in labels if label not in numbers and label not in literals])
-        _check_numbers(table, board.pins, {"numbers": numbers, "interrupts": interrupts}, core.text("numbers_by_port", ""))
+            check_complete(table, [label for label in labels if label not in numbers and label not in literals])
+        check_numbers(table, board.pins, {"numbers": numbers, "interrupts": interrupts}, core.text("numbers_by_port", ""))
         if len({*written}) < len(written):
             twice = sorted({word for word in written if written.count(word) > 1})
             raise table.error("literals", f"and 'numbers' give two pins one name in programs: {', '.join(twice)}")
@@ -357,71 +360,6 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
             for pin, literal in zip(board.pins, written, strict=True)
         ],
     )
-
-
-def _check_complete(table: DataTable, lacking: Sequence[str | None]) -> None:
-    if lacking:
-        raise table.error(
-            f"numbers.{lacking[0]}",
-            f"is missing: programs would take the number in the label of {', '.join(map(str, lacking))}",
-            f"add the number of each pin, such as {lacking[0]} = 0, from pins_arduino.h or variant_NAME.cpp of the variant",
-        )
-
-
-def _check_numbers(table: DataTable, pins: Iterable[platform.Pin], said: Mapping[str, Mapping[str, int]], by_port: str) -> None:
-    """Refuse numbers with which programs would use another pin than they name.
-
-    Args:
-        table: the mapping.
-        pins: those of the board.
-        said: its tables `numbers` and `interrupts`, by key.
-        by_port: a regular expression for a port, whose group is the core's number of a pin there; empty where ports do not tell.
-
-    Raises:
-        PlatformDataError: a number is none of a pin, two pins have it, or the core calls another port so.
-    """
-    ports = {pin.label: str(pin.port) for pin in pins}
-    for key, numbers in said.items():
-        bearers: dict[int, str] = {}
-        for label, number in numbers.items():
-            if not 0 <= number <= _MOST_NUMBER:
-                raise table.error(f"{key}.{label}", f"is {number}, but cores have numbers from 0 to {_MOST_NUMBER}")
-            if by_port and (of_port := re.fullmatch(by_port, ports[label])) and int(of_port[1]) != number:
-                problem = f"is {number}, but the pin is at {ports[label]}, which is {of_port[1]} in this core"
-                raise table.error(f"{key}.{label}", problem, f"write {label} = {of_port[1]}, or correct the port of {label}")
-            if number in bearers:
-                raise table.error(
-                    f"{key}.{label}",
-                    f"is {number}, which is also that of {bearers[number]}: programs would use one pin for both",
-                    "correct one of them: pins_arduino.h or variant_NAME.cpp of the variant has both",
-                )
-            bearers[number] = label
-
-
-def _check_core(table: DataTable, settings: DataTable, architecture: str) -> bool:
-    """Refuse a core that looks like a misspelt one, or is for other processors.
-
-    Args:
-        table: the mapping, whose `fqbn` begins with the core.
-        settings: those of the platform.
-        architecture: of the board's microcontroller.
-
-    Returns:
-        Whether the board has a processor as the platform's usual core is for.
-
-    Raises:
-        PlatformDataError: the core is wrong.
-    """
-    name, own = ":".join(table.text("fqbn", "").split(":")[:2]), settings.text("core_name", "")
-    is_usual = architecture == settings.text("architecture", "")
-    known = [*settings.table("cores", needed=False).values, own]
-    if name in known and (is_usual or name == own) and architecture not in name.split(":"):
-        raise table.error("fqbn", f"names the core '{name}', which is not for '{architecture}', the architecture of 'mcu'")
-    if name not in known:
-        similar = did_you_mean(name, [core for core in known if architecture in core.split(":")], _MISSPELT)
-        if similar:
-            raise table.error("fqbn", f"names '{name}', an unknown core{similar}")
-    return is_usual
 
 
 def _tells_its_number(pin: platform.Pin) -> bool:
