@@ -112,7 +112,7 @@ def test_a_mistake_in_its_file_is_an_error_with_its_place(old: str, new: str, sa
         ("volts = 3.3", "volts = nan", "'volts' must be above 0"),
         ("i2c = {", "i2x = {", "'buses.i2x' is not a key of it (did you mean 'i2c'?)"),
         ("SDA =", "SDAA =", "'buses.i2c.SDAA' is not a key of it (did you mean 'SDA'?)"),
-        ('mcu = "rp2040"', 'mcu = "rp2400"', "or describe it in mcus/rp2400.toml"),
+        ('mcu = "rp2040"', 'mcu = "rp2400"', "or describe it in platform_repo/mcus/rp2400.toml"),
     ],
 )
 def test_facts_of_a_board_that_cannot_be_are_errors(old: str, new: str, said: str, project: Path) -> None:

@@ -202,7 +202,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         problem = f"is '{name}', an unknown microcontroller{did_you_mean(name, known)}"
         error = named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
         error.fix = (
-            f"use one of: {', '.join(known)}; or describe it in mcus/{name}.toml beside boards/ (docs/how-to/add-a-target.md)"
+            f"use one of: {', '.join(known)}; or describe it in platform_repo/mcus/{name}.toml (docs/how-to/add-a-board.md)"
         )
         raise error
     table = table_of(path)
