@@ -428,8 +428,9 @@ def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
 
 
 @choices.critique(
-    id="RS274", location=place, guard=lambda c: c.chosen is not None, advice="choose a library that lists the architecture, or none"
-)
+    id="RS274", location=place, guard=lambda c: c.chosen is not None,
+    advice="choose a library that lists the architecture, or none",
+)  # fmt: skip
 def LibraryWorksOnTheBoard(c: migration.LibraryChoice) -> bool | Fail:
     """Nothing is known against a chosen library on the architecture of the board."""
     plan, library = of_plan(c), c.chosen
