@@ -50,6 +50,8 @@ def _numbers(argument: ccode.Expression, one: platform.ArgumentRange, m: Move) -
 
 def _is_alone(call: ccode.Call, one: platform.ArgumentRange, m: Move) -> bool:
     """Whether a range applies only beside a further call of the same function, and there is none that it applies to."""
+    if not one.beside:
+        return False
     use = next(use for use in m.plan.adapterUses if use.name == call.calleeName and use.adapter is not None)
     if use.adapter is None or one.beside != f"{use.adapter.sourceHeader}/{use.adapter.name}":
         return False
