@@ -85,6 +85,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.runs
 	$(BIN)/python -m tests.fuzz.interrupts
 	$(BIN)/python -m tests.fuzz.native
+	$(BIN)/python -m tests.fuzz.pins
 
 adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone

@@ -19,7 +19,7 @@ from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.plans.retained_pins import retains_platform
 from robosmi.transformations.queries.plans.waiting_calls import lacks_pin
 from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
-from robosmi.transformations.queries.ports.register_bits import register_bits
+from robosmi.transformations.queries.ports.register_bits import register_bits, sets_bits
 from robosmi.transformations.queries.programs.main_locals import is_constant
 from robosmi.validate import Fail
 
@@ -97,7 +97,9 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     macros = [c for c in u.macros if str(c.name) in used and any(c.startOffset <= at < c.endOffset for at in places)]
     yield from ((f"'{macro.name}'", macro) for macro in macros)
     bits: list[PinUse] = register_bits(view, m.masks)
-    yield from ((f"'{use.function}'", use.call) for use in bits if use.pin is None and use.direction != "unknown")
+    yield from (
+        (f"'{use.function}'", use.call) for use in bits if use.pin is None and (use.direction != "unknown" or sets_bits(use.call))
+    )
 
 
 @units.constraint(id="RS335", location=place, advice="write these calls without the macro")

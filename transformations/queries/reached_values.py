@@ -98,7 +98,7 @@ class ReachedValues(Values):
                     steps.append(self._step_of(container.right, operator))
             elif isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--"):
                 steps.append(1 if str(container.operator) == "++" else -1)
-            elif isinstance(container, ccode.Unary) and str(container.operator) == "&":
+            elif (isinstance(container, ccode.Unary) and str(container.operator) == "&") or self._written.is_referred(reference):
                 return [RUNTIME]
         own = [_own_step(expression, target) for expression in given]
         steps += [self._step_of(step[1], f"{step[0]}=") for step in own if step is not None]

@@ -51,13 +51,21 @@ class WrittenArrays:
 
     def is_referred(self, reference: ccode.NameReference) -> bool:
         """Whether a use of a variable lets a reference of C++ lead to it, by which it may be written."""
-        around = reference.eContainer()
+        element: Element = reference
+        around = element.eContainer()
+        while _chooses(around, element):
+            assert around is not None
+            element, around = around, around.eContainer()
         if isinstance(around, ccode.Variable):
             return _is_reference(around)
-        if isinstance(around, ccode.Call) and reference is not around.calleeExpression:
-            given = isinstance(around.callee, ccode.Function) and self._given(
-                around, list(around.arguments).index(reference), inside=True
-            )
+        if isinstance(around, ccode.Assignment):
+            return around.left is element is not reference
+        if isinstance(around, ccode.Return):
+            function = ancestor_of_kind(around, ccode.Function)
+            return function is None or "&" in str(function.returnType.spelling if function.returnType is not None else "")
+        if isinstance(around, ccode.Call) and element is not around.calleeExpression:
+            place = list(around.arguments).index(element)  # type: ignore[arg-type]
+            given = isinstance(around.callee, ccode.Function) and self._given(around, place, inside=True)
             return given if isinstance(given, bool) else self.is_written(given)
         if isinstance(around, (ccode.InitializerList, ccode.ConstructorCall, ccode.MemberInitializer)):
             return self._has_referring_members(reference)

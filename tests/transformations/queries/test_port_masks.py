@@ -8,7 +8,7 @@ import pytest
 
 import robosmi
 
-PROGRAMS = sorted((Path(__file__).parent / "masks").glob("*.c"))
+PROGRAMS = sorted((Path(__file__).parent / "masks").glob("*.c*"))
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)

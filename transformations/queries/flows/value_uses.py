@@ -34,12 +34,28 @@ class ValueUses:
 
     def __init__(self, reader: FlowReader) -> None:
         self.reader = reader
+        self._has_macros = any(macro.functionLike for view in reader.views for macro in view.unit.macros)
 
     def follow(self, view: CodeView) -> None:
         """Keep the numbers of all flows of a unit that have a value used in a way that is not followed."""
         for element in view.elements:
             if isinstance(element, _VALUES):
                 self._use(element, view)
+        if self._has_macros:
+            self._repeated(view)
+
+    def _repeated(self, view: CodeView) -> None:
+        """Keep the numbers that a macro uses several times (`MAX(18, 17)`), once in a way that is not followed."""
+        places: dict[int, list[ccode.IntegerLiteral]] = {}
+        for literal in view.of_kind(ccode.IntegerLiteral):
+            places.setdefault(int(literal.startOffset), []).append(literal)
+        flows, path = self.reader.flows, str(view.unit.path)
+        for start, same in places.items():
+            followed = [each for each in same if flows.has(self.reader.key(each), path, start)]
+            others = [each for each in same if each not in followed] if followed and len(same) > 1 else []
+            whys = [self._why_kept(each, each.eContainer(), view) for each in others if _expansion(each) is None]
+            for each in followed if any(whys) else ():
+                self.reader.flows.freeze(self.reader.value(each), next(filter(None, whys)))
 
     def _use(self, expression: ccode.Expression, view: CodeView) -> None:
         """Keep the numbers of a value's flow if its use is not followed."""

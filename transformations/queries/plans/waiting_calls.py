@@ -69,7 +69,9 @@ class CallStates:
         self.plan = plan
         self._of_macros = MacroCalls(plan)
         told = (NO_PORT,) if ports_of_runs_bound(plan) else (NO_PORT, RUN_TIME)
-        self._nowhere = {id(e) for finding in plan.findings if finding.rule in told for e in finding.elements}
+        nowhere = {id(e): e for finding in plan.findings if finding.rule in told for e in finding.elements}
+        self._nowhere = nowhere.keys()
+        self._registers = sum(isinstance(element, ccode.NameReference) for element in nowhere.values())
         self._wrong = {id(e) for finding in plan.findings if finding.rule == PIN_RULE for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         unknown = [f for f in plan.portFlows if f.anything and not f.bindings]
@@ -95,10 +97,15 @@ class CallStates:
         return WITH_CARE if limits(use) else WORKS
 
     def counts(self) -> dict[str, int]:
-        """How many calls are in each state, every state named, and `total`, their sum; those of macros at each place of use."""
+        """How many calls are in each state, every state named, and `total`, their sum; those of macros at each place of use.
+
+        An access of a register that may reach ports without a pin counts as a call that waits.
+        """
         found = Counter(self.of(use, call) for use in self.plan.adapterUses for call in (*use.calls, *self._of_macros.of(use)))
         if retains_platform(self.plan):  # without adapters; what is known of its calls is that some wait
             found[WAITS] += len(self._waiting)
+        else:
+            found[WAITS] += self._registers
         return {"total": found.total(), **{state: found[state] for state in CALL_STATES}}
 
 

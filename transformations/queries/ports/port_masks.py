@@ -4,8 +4,10 @@ The bound of a mask that is put together, stored, passed and returned is the uni
 from outside or where nothing bounds it. Which bits of a register a use touches is computed by `register_bits`.
 
 `GivenValues` finds the sources: the expressions that give variables, parameters, results and members their values. It reads the
-code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. A pointer and
-what it points to count as one thing, as do the elements of an array.
+code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. Things count as
+one if a change of one may change the other: a pointer or reference and what it leads to, the elements of an array, the members of
+a union. What the text does not give values (parameters of constructors, of operators and of functions that are called through
+pointers, variables whose address a function of the platform takes) is given the element that says so, which has no known value.
 
 The sets are defined by each other. `FixedPoints` computes the least solution of their equations for what is asked and what that
 needs. It is the top-down solver of Le Charlier and Van Hentenryck (A universal top-down fixpoint algorithm, 1992): an equation
@@ -246,12 +248,30 @@ class GivenValues:
             for d in v.unit.declarations
             if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.staticStorage
         }
+        self._same: dict[Hashable, set[Hashable]] = {}
+        """Key of a thing -> keys of things that are one with it."""
+        self._handed: set[int] = set()
+        """`id` of functions that other cores run, whose parameter is what they are handed."""
         for view in views:
             for element in view.elements:
                 self._read(element, view)
+        for view in views:
+            for reference in view.of_kind(ccode.NameReference):
+                if isinstance(function := reference.target, ccode.Function) and id(function) not in self._handed:
+                    self._unknown(function, reference)
 
     def of(self, key: Hashable) -> list[ccode.Located]:
         """The expressions that give a thing its values; a compound assignment, `++` and `--` are listed themselves."""
+        if key not in self._same:
+            return self._given_to(key)
+        one, pending = {key}, [key]
+        while pending:
+            new = self._same[pending.pop()] - one
+            one |= new
+            pending += new
+        return [expression for each in one for expression in self._given_to(each)]
+
+    def _given_to(self, key: Hashable) -> list[ccode.Located]:
         if not isinstance(key, MemberKey):
             return self._given.get(key, [])
         records = self._members.get(key.name, {})
@@ -305,10 +325,27 @@ class GivenValues:
     def _own(self, call: ccode.Call) -> ccode.Function | None:
         return self._functions.get(str(call.calleeName or "")) if call.callee is not None else None
 
-    def _give(self, key: Hashable | None, expression: ccode.Located | None) -> None:
-        if isinstance(key, MemberKey) and expression is not None:
+    def _join(self, one: Hashable, other: Hashable) -> None:
+        """Record that a change of one thing may change the other."""
+        self._same.setdefault(one, set()).add(other)
+        self._same.setdefault(other, set()).add(one)
+
+    def _unknown(self, function: ccode.Function, why: ccode.Located) -> None:
+        """Give a function's parameters a value that the text does not say."""
+        for position in range(len(function.parameters)):
+            self._give(("parameter", str(function.name), position), why)
+
+    def _give(self, key: Hashable | None, expression: ccode.Located | None, use: ccode.TypeUse | None = None) -> None:
+        """Record that a thing, of the type `use` if that is known, is given the value of an expression."""
+        if key is None or expression is None:
+            return
+        if (use is not None and str(use.canonical or use.spelling).endswith("&")) or gives_access(expression):
+            other = self.key(expression)
+            if other is not None and other != key:
+                self._join(key, other)
+        if isinstance(key, MemberKey):
             self._members.setdefault(key.name, {}).setdefault(key.record, []).append(expression)
-        elif key is not None and expression is not None:
+        else:
             self._given.setdefault(key, []).append(expression)
 
     def _read(self, element: Element, view: CodeView) -> None:
@@ -327,9 +364,44 @@ class GivenValues:
         elif isinstance(element, ccode.Return):
             function = ancestor_of_kind(element, ccode.Function)
             if function is not None:
-                self._give(("result", str(function.name)), element.value)
+                self._give(("result", str(function.name)), element.value, function.returnType)
         elif isinstance(element, ccode.Call):
             self._called(element, view)
+        elif isinstance(element, ccode.Function):
+            self._declared_function(element)
+        elif isinstance(element, ccode.For):
+            if element.range is not None and isinstance(element.declaration, ccode.DeclarationStatement):
+                self._each(element.declaration, element.range)
+        elif isinstance(element, ccode.MemberInitializer):
+            record = ancestor_of_kind(element, ccode.Record)
+            for argument in element.arguments:
+                for one in leaves(argument):
+                    self._give(MemberKey(str(element.name), record_key(record) if record is not None else None), one)
+        elif isinstance(element, ccode.Record):
+            self._fields(element)
+
+    def _declared_function(self, function: ccode.Function) -> None:
+        """Give parameters their default values; constructors and operators are called without a call in the text."""
+        for position, parameter in enumerate(function.parameters):
+            self._give(("parameter", str(function.name), position), parameter.defaultValue)
+        around = function.eContainer()
+        if str(function.name).startswith("operator") or (isinstance(around, ccode.Record) and function.name == around.name):
+            self._unknown(function, function)
+
+    def _each(self, declaration: ccode.DeclarationStatement, values: ccode.Expression) -> None:
+        """Give the variable of a loop over a range the values of the range."""
+        for variable in declaration.declarations:
+            if isinstance(variable, ccode.Variable):
+                for one in leaves(values):
+                    self._give(self._declared(variable), one, variable.valueType)
+
+    def _fields(self, record: ccode.Record) -> None:
+        keys = [MemberKey(str(field.name), record_key(record)) for field in record.fields]
+        for key, field in zip(keys, record.fields, strict=True):
+            for one in leaves(field.initializer):
+                self._give(key, one)
+            if record.recordKind is ccode.RecordKind.unionType:
+                self._join(keys[0], key)
 
     def _initialised(self, variable: ccode.Variable) -> None:
         first = variable.initializer
@@ -337,7 +409,7 @@ class GivenValues:
             return
         if record_of(variable.valueType) is None:
             for one in leaves(first):
-                self._give(self._declared(variable), one)
+                self._give(self._declared(variable), one, variable.valueType)
         elif isinstance(first, ccode.InitializerList):
             for member, one in members_given(variable.valueType, first):
                 self._give(MemberKey(str(member.name), record_key(member.eContainer())), one)
@@ -345,12 +417,16 @@ class GivenValues:
     def _called(self, call: ccode.Call, view: CodeView) -> None:
         own, arguments = self._own(call), list(call.arguments)
         if own is not None:
-            for position, argument in enumerate(arguments[: len(own.parameters)]):
-                self._give(("parameter", str(own.name), position), argument)
+            for position, (parameter, argument) in enumerate(zip(own.parameters, arguments, strict=False)):
+                self._give(("parameter", str(own.name), position), argument, parameter.valueType)
             return
         handed, code = handed_over(call, view.api)
         if code is not None and str(code.name) in self._functions:
+            self._handed.add(id(code))
             self._give(("parameter", str(code.name), 0), handed)
+        for argument in arguments:
+            if argument is not handed and gives_access(argument):
+                self._give(self.key(argument), call)
 
 
 class FixedPoints(Generic[_T]):

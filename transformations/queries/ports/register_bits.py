@@ -48,6 +48,12 @@ def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 
 
+def sets_bits(reference: ccode.Expression) -> bool:
+    """Whether a register is assigned a value that may set bits of it."""
+    parent = reference.eContainer()
+    return isinstance(parent, ccode.Assignment) and parent.left is reference and parent.operator != "&="
+
+
 def _add(
     found: dict[tuple[int | None, str, int], PinUse], mask: int | None, place: ccode.Expression, name: str, direction: str
 ) -> None:

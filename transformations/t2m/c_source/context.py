@@ -67,6 +67,7 @@ class UnitContext:
         declarators: offsets of names that a declaration declares (they look like calls).
         user_macros: names of macros that the file defines.
         changing: names of macros whose meaning changes within the file.
+        divided: offsets of macro uses whose text an operator outside divides: with `ONE` as `0 + 1`, `2 * ONE` is `2 * 0 + 1`.
         making: offset of the macro use that expands to the call whose arguments are being built; None outside of such.
     """
 
@@ -92,6 +93,7 @@ class UnitContext:
         self.declarators: set[int] = set()
         self.user_macros: dict[str, bool] = {}
         self.changing: set[str] = set()
+        self.divided: set[int] = set()
         self._own_in_headers: dict[str, bool] = {}
         self.findings: list[Finding] = []
         self.depth = 0

@@ -7,6 +7,7 @@ reference to that macro's name, as the text says; what comes out of a function-l
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 
 from robosmi.errors import TooLargeError
@@ -191,6 +192,8 @@ def _binary(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 2:
         return None
+    if children[1].start < children[0].end:
+        context.divided.add(children[1].start)
     operator = BINARY_OPERATORS[context.lib.getCursorBinaryOperatorKind(node.cursor)]
     left, right = expression(context, children[0]), expression(context, children[1])
     kind = ccode.Assignment if node.kind == COMPOUND_ASSIGN or operator == "=" else ccode.Binary
@@ -201,6 +204,7 @@ def _conditional(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 3:
         return None
+    context.divided.update(after.start for one, after in itertools.pairwise(children) if after.start < one.end)
     parts = [expression(context, c) for c in children]
     return ccode.ConditionalExpression(
         condition=parts[0], whenTrue=parts[1], whenFalse=parts[2], **context.source.place(node.start, node.end)

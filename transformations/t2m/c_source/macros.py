@@ -1,9 +1,10 @@
 """Macros: the preprocessor's elements of a unit, and expressions that come out of macro expansion.
 
 An expression from an object-like macro becomes a reference to the macro's name. It is built as it expands if it contains a
-call, or if the meaning of the name changes within the file. An expression from a function-like macro of a header becomes a call
-by that name with the arguments as written. The body of the program's own function-like macros, those in its own headers
-included, is built as it expands, and its calls are marked `viaMacro`.
+call, if the meaning of the name changes within the file, or if an operator outside of the macro divides its text. An expression
+from a function-like macro of a header becomes a call by that name with the arguments as written. The body of the program's own
+function-like macros, those in its own headers included, is built as it expands, and its
+calls are marked `viaMacro`.
 """
 
 from __future__ import annotations
@@ -37,7 +38,9 @@ def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expressi
     own = context.is_own(expansion)
     if context.function_like(expansion):
         return None if own else macro_call(context, node, expansion, build)
-    if own and (_has_call(node) or context.making == node.start or expansion.name in context.changing):
+    if own and (
+        expansion.name in context.changing or node.start in context.divided or context.making == node.start or _has_call(node)
+    ):
         return None
     element = ccode.NameReference(name=expansion.name, **context.source.place(expansion.start, expansion.end))
     if expansion.name not in context.user_macros:
