@@ -7,12 +7,19 @@ record. `record_members` handles record types that the program does not declare.
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries.expression_type import ValueType, of_use, type_of
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import ARITHMETIC, ValueType, field_of, of_use, parse, type_of
+from robosmi.transformations.queries.flows.cores import handed_over
+from robosmi.transformations.queries.initialisers import record_of
+
+_BYTES = ARITHMETIC | {"void"}
+"""Words of the types by which a record's memory is accessed without its members."""
+_COPIES = frozenset({"memcpy", "memmove"})
 
 
 def record_of_member(member: ccode.Member) -> Hashable | None:
@@ -63,3 +70,121 @@ def _object_type(expression: ccode.Expression | None) -> ValueType | None:
     if isinstance(expression, ccode.Binary) and str(expression.operator) == ",":
         return _object_type(expression.right)
     return type_of(expression, {})
+
+
+def records_as_bytes(view: CodeView) -> Iterator[tuple[ccode.Record, ccode.Expression]]:
+    """The records of a unit whose memory may be written without their members, each with the expression that hands it on.
+
+    A pointer to such a record becomes one to numbers or to nothing known (`memset(&lamp, 0, 4)`, `char *p = &lamp`), or one to a
+    member goes on to others (`int *p = &lamp.pin; p[1] = 5`) or to that of any object (`&Lamp::pin`).
+    """
+    for element in view.elements:
+        if isinstance(element, ccode.Unary) and element.operator == "&" and (field := _pointed_member(element)) is not None:
+            if isinstance(record := field.eContainer(), ccode.Record):
+                yield record, element
+            continue
+        if isinstance(element, (ccode.NameReference, ccode.Member, ccode.Unary, ccode.Index, ccode.Call)):
+            taker, given = _taker(element)
+            kind = type_of(element, {}) if taker is not None else None
+            if kind is not None and kind.depth and isinstance(kind.declaration, ccode.Record):
+                if _is_bytes(taker, given, kind.declaration, view):
+                    yield kind.declaration, element
+
+
+def deep_fields(record: ccode.Record) -> Iterator[ccode.Field]:
+    """The members of a record and of the records in it."""
+    for field in record.fields:
+        yield field
+        inner = record_of(field.valueType)
+        if inner is not None and inner is not record:
+            yield from deep_fields(inner)
+
+
+def has_several_types(union: ccode.Record) -> bool:
+    """Whether the members of a union do not all have one type, so that one may be a part of another."""
+    return len({(f.valueType and str(f.valueType.canonical or f.valueType.spelling), f.bitWidth) for f in union.fields}) > 1
+
+
+def _pointed_member(address: ccode.Unary) -> ccode.Field | None:
+    """The member whose address leads to others: that of no object, or one that a pointer is moved from."""
+    operand = address.operand
+    if isinstance(operand, ccode.NameReference):
+        return operand.target if isinstance(operand.target, ccode.Field) else None
+    if not isinstance(operand, ccode.Member):
+        return None
+    taker, given = _taker(address)
+    if isinstance(taker, ccode.NameReference):
+        taker = taker.target
+    elif isinstance(taker, ccode.Call):
+        place = list(taker.arguments).index(given)  # type: ignore[arg-type]
+        parameters = list(taker.callee.parameters) if isinstance(taker.callee, ccode.Function) else []
+        taker = parameters[place] if place < len(parameters) else None
+    moved = isinstance(taker, (ccode.Variable, ccode.Parameter)) and any(map(_is_moved, taker.references))
+    return field_of(operand, {}) if moved else None
+
+
+def _is_moved(pointer: ccode.NameReference) -> bool:
+    """Whether a use of a pointer leads to what is beside the thing that it points to."""
+    around = pointer.eContainer()
+    if isinstance(around, ccode.Index):
+        index = around.index
+        return around.array is pointer and not (isinstance(index, ccode.IntegerLiteral) and index.value == 0)
+    operators = ("++", "--", "+", "-", "+=", "-=")
+    return isinstance(around, (ccode.Unary, ccode.Binary, ccode.Assignment)) and str(around.operator) in operators
+
+
+def _taker(expression: ccode.Expression) -> tuple[Element | None, Element]:
+    """What is given an expression's value, through conversions to `void *`, and the expression that it is given; else None."""
+    given: Element = expression
+    taker = given.eContainer()
+    while isinstance(taker, (ccode.Cast, ccode.ConditionalExpression)):
+        if isinstance(taker, ccode.Cast) and taker.target is not None and parse(str(taker.target.canonical)).base != "void":
+            return taker, given
+        given, taker = taker, taker.eContainer()
+    if isinstance(taker, ccode.Assignment):
+        return (taker.left, given) if taker.right is given and taker.operator == "=" else (None, given)
+    if isinstance(taker, ccode.Call):
+        return (taker, given) if given in list(taker.arguments) else (None, given)
+    return (taker, given) if isinstance(taker, (ccode.Variable, ccode.Return)) else (None, given)
+
+
+def _is_bytes(taker: Element | None, given: Element, record: ccode.Record, view: CodeView) -> bool:
+    """Whether what takes a pointer to a record may write its memory without its members."""
+    if isinstance(taker, ccode.Call):
+        place = list(taker.arguments).index(given)  # type: ignore[arg-type]
+        callee = taker.callee
+        parameters = list(callee.parameters) if isinstance(callee, ccode.Function) else []
+        if isinstance(callee, ccode.Function) and callee.definition and place < len(parameters):
+            return _is_bytes(parameters[place], given, record, view)
+        if place < len(parameters) and (kind := of_use(parameters[place].valueType)) is not None and kind.constant:
+            return False
+        if str(taker.calleeName) in _COPIES:
+            others = [_object_type(each) for number, each in enumerate(taker.arguments) if number < 2 and number != place]
+            return not place and any(other is None or other.declaration is not record for other in others)
+        return handed_over(taker, view.api)[0] is not given
+    use = taker.target if isinstance(taker, ccode.Cast) else None
+    if isinstance(taker, ccode.Return):
+        function = ancestor_of_kind(taker, ccode.Function)
+        use = function.returnType if function is not None else None
+    elif isinstance(taker, (ccode.Variable, ccode.Parameter)):
+        use = taker.valueType
+    elif isinstance(taker, ccode.Expression) and not isinstance(taker, ccode.Cast):
+        kind = type_of(taker, {})
+        use = kind.use if kind is not None else None
+    base = parse(str(use.canonical or use.spelling)).base if use is not None else ""
+    if not base or not set(base.split()) <= _BYTES:
+        return False
+    return base != "void" or not isinstance(taker, (ccode.Variable, ccode.Parameter)) or not _only_as_record(taker)
+
+
+def _only_as_record(pointer: ccode.Variable | ccode.Parameter) -> bool:
+    """Whether every use of a pointer to `void` makes it one to a record."""
+    for reference in pointer.references:
+        taker: Element | None = reference.eContainer()
+        use = taker.target if isinstance(taker, ccode.Cast) else taker.valueType if isinstance(taker, ccode.Variable) else None
+        kind = of_use(use)
+        if isinstance(taker, ccode.Assignment):
+            kind = type_of(taker.left, {})
+        if kind is None or not isinstance(kind.declaration, ccode.Record):
+            return False
+    return True

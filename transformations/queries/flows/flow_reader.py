@@ -33,7 +33,14 @@ from robosmi.transformations.queries.flows.pointers import (
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText, passed_to_macros
-from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
+from robosmi.transformations.queries.member_records import (
+    deep_fields,
+    has_several_types,
+    record_key,
+    record_of_member,
+    records_of_cast,
+    whole_of_member,
+)
 from robosmi.transformations.queries.own_headers import is_member
 from robosmi.transformations.queries.values import calls_of_value
 
@@ -215,6 +222,11 @@ class FlowReader:
                     self.flows.join(unknown, other)
         return key
 
+    def open(self, record: ccode.Record, why: str) -> None:
+        """Let the members of a record, and of the records in it, have any value."""
+        for field in deep_fields(record):
+            self.flows.freeze(self._field(str(field.name), record_key(field.eContainer())), why, computed=True)
+
     def _cast(self, cast: ccode.Cast) -> None:
         """Join the members at equal positions of two records between whose pointers a cast converts.
 
@@ -225,8 +237,8 @@ class FlowReader:
             kind = type_of(cast.operand, {})
             record = kind.declaration if kind is not None and kind.depth else None
             if isinstance(record, ccode.Record):
-                for key in (self.value(cast.operand), *(self._field(str(f.name), record_key(record)) for f in record.fields)):
-                    self.flows.freeze(key, f"line {cast.line} casts it", computed=True)
+                self.flows.freeze(self.value(cast.operand), f"line {cast.line} casts it", computed=True)
+                self.open(record, f"line {cast.line} casts it")
         fields = [record.fields for record in records] if records is not None else []
         for one, other in zip(*fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
@@ -423,11 +435,10 @@ class FlowReader:
     def _one_place(self, union: ccode.Record) -> None:
         """Join the members of a union, which are one place in memory."""
         keys = [self._field(str(field.name), record_key(union)) for field in union.fields]
-        types = {(type_name(field.valueType), field.bitWidth) for field in union.fields}
         for key in keys:
             self.flows.join(keys[0], key)
-            if len(types) > 1:
-                self.flows.freeze(key, "it is a member of a union of several types", computed=True)
+        if has_several_types(union):
+            self.open(union, "it is a member of a union of several types")
 
     def _listed(self, values: ccode.InitializerList) -> None:
         """Give the members of a structure what a list without a variable gives them: `(struct led){4, 5}`, `return {4, 5}`.

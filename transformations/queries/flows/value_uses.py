@@ -14,6 +14,7 @@ from robosmi.transformations.queries.flows.class_pins import follows_argument, m
 from robosmi.transformations.queries.flows.flow_reader import FlowReader
 from robosmi.transformations.queries.flows.listed_values import gone_through
 from robosmi.transformations.queries.flows.pointers import gives_access
+from robosmi.transformations.queries.member_records import records_as_bytes
 from robosmi.transformations.queries.numbers import COMPARISONS
 
 _LOGICAL = frozenset(["&&", "||"])
@@ -35,6 +36,7 @@ class ValueUses:
     def __init__(self, reader: FlowReader) -> None:
         self.reader = reader
         self._has_macros = any(macro.functionLike for view in reader.views for macro in view.unit.macros)
+        self._has_records = any(view.of_kind(ccode.Record) for view in reader.views)
 
     def follow(self, view: CodeView) -> None:
         """Keep the numbers of all flows of a unit that have a value used in a way that is not followed."""
@@ -43,6 +45,8 @@ class ValueUses:
                 self._use(element, view)
         if self._has_macros:
             self._repeated(view)
+        for record, element in records_as_bytes(view) if self._has_records else ():
+            self.reader.open(record, f"line {element.line} accesses its bytes")
 
     def _repeated(self, view: CodeView) -> None:
         """Keep the numbers that a macro uses several times (`MAX(18, 17)`), once in a way that is not followed."""
