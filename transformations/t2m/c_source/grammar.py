@@ -87,7 +87,11 @@ def _captures(context: UnitContext, node: Node) -> list[ccode.Declaration]:
     named = [child for child in node.children if child.kind == cursor_kinds.VARIABLE_REF]
     declared = [(child, context.lib.getCursorReferenced(child.cursor)) for child in named]
     own = [cursor for child, cursor in declared if context.name_offset(cursor) == context.name_offset(child.cursor)]
-    return declarations.group(context, [context.parsed.reader.subtree(cursor) for cursor in own])
+    made = declarations.group(context, [context.parsed.reader.subtree(cursor) for cursor in own])
+    for variable, cursor in zip(made, own, strict=True):
+        if isinstance(variable, ccode.Variable):
+            variable.valueType = types.deduced(context, context.lib.getCursorType(cursor))
+    return made
 
 
 def _is_call_operator(context: UnitContext, node: Node) -> bool:

@@ -254,6 +254,12 @@ def written_type(context: UnitContext, start: int, end: int, kind: Type) -> ccod
     return _type_use(context, kind, text, spec.base, dims, text.count("*"), spec.constant)
 
 
+def deduced(context: UnitContext, kind: Type) -> ccode.TypeUse:
+    """The type of a lambda's own variable, which is that of its value or a reference to it."""
+    refers = context.lib.text(context.lib.getTypeSpelling(kind)).endswith("&")
+    return _type_use(context, kind, "auto &" if refers else "auto", "", "", 0, constant=False)
+
+
 def read_type(context: UnitContext, kind: Type) -> ccode.TypeUse:
     """A type that is not written out where it is used, given by libclang's type."""
     text = context.lib.text(context.lib.getTypeSpelling(kind))
