@@ -7,7 +7,7 @@ record. `record_members` handles record types that the program does not declare.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
@@ -20,6 +20,9 @@ from robosmi.transformations.queries.initialisers import record_of
 _BYTES = ARITHMETIC | {"void"}
 """Words of the types by which a record's memory is accessed without its members."""
 _COPIES = frozenset({"memcpy", "memmove"})
+_ADDRESSES = (
+    ccode.NameReference, ccode.Member, ccode.Unary, ccode.Binary, ccode.Index, ccode.Call, ccode.UnknownExpression,
+)  # fmt: skip
 
 
 def record_of_member(member: ccode.Member) -> Hashable | None:
@@ -72,27 +75,44 @@ def _object_type(expression: ccode.Expression | None) -> ValueType | None:
     return type_of(expression, {})
 
 
-def records_as_bytes(view: CodeView) -> Iterator[tuple[ccode.Record, ccode.Expression]]:
+def records_as_bytes(
+    view: CodeView, around: Callable[[Element], ccode.Record | None]
+) -> Iterator[tuple[ccode.Record, ccode.Expression]]:
     """The records of a unit whose memory may be written without their members, each with the expression that hands it on.
 
-    A pointer to such a record becomes one to numbers or to nothing known (`memset(&lamp, 0, 4)`, `char *p = &lamp`), or one to a
-    member goes on to others (`int *p = &lamp.pin; p[1] = 5`) or to that of any object (`&Lamp::pin`).
+    A pointer to such a record becomes one to numbers or to nothing known (`memset(&lamp, 0, 4)`, `char *p = &lamp`) or the other
+    way round, or one to a member goes on to others (`int *p = &lamp.pin; p[1] = 5`) or to that of any object (`&Lamp::pin`).
+
+    Args:
+        view: the unit.
+        around: the class whose member function contains an element.
     """
     for element in view.elements:
-        if isinstance(element, ccode.Unary) and element.operator == "&" and (field := _pointed_member(element)) is not None:
-            if isinstance(record := field.eContainer(), ccode.Record):
-                yield record, element
-            continue
-        if isinstance(element, (ccode.NameReference, ccode.Member, ccode.Unary, ccode.Index, ccode.Call)):
+        if isinstance(element, _ADDRESSES):
             taker, given = _taker(element)
+            if isinstance(element, ccode.Unary) and element.operator == "&":
+                field = _pointed_member(element.operand, taker, given)
+                if field is not None and isinstance(record := field.eContainer(), ccode.Record):
+                    yield record, element
+                    continue
             kind = type_of(element, {}) if taker is not None else None
-            if kind is not None and kind.depth and isinstance(kind.declaration, ccode.Record):
-                if _is_bytes(taker, given, kind.declaration, view):
-                    yield kind.declaration, element
+            if isinstance(element, ccode.UnknownExpression):
+                one: Element | None = around(element) if taker is not None and element.text == "this" else None
+            else:
+                one = kind.declaration if kind is not None and kind.depth else None
+            if isinstance(one, ccode.Record):
+                if _is_bytes(taker, given, one, view):
+                    yield one, element
+            elif kind is not None and kind.depth and set(kind.base.split()) <= ARITHMETIC:
+                made = of_use(_type_of_taker(taker, given))
+                if made is not None and isinstance(made.declaration, ccode.Record) and made.depth:
+                    yield made.declaration, element
 
 
 def deep_fields(record: ccode.Record) -> Iterator[ccode.Field]:
-    """The members of a record and of the records in it."""
+    """The members of a record, of the records in it and of its base classes."""
+    for base in map(record_of, record.bases):
+        yield from deep_fields(base) if base is not None and base is not record else ()
     for field in record.fields:
         yield field
         inner = record_of(field.valueType)
@@ -105,22 +125,25 @@ def has_several_types(union: ccode.Record) -> bool:
     return len({(f.valueType and str(f.valueType.canonical or f.valueType.spelling), f.bitWidth) for f in union.fields}) > 1
 
 
-def _pointed_member(address: ccode.Unary) -> ccode.Field | None:
+def _pointed_member(operand: ccode.Expression | None, taker: Element | None, given: Element) -> ccode.Field | None:
     """The member whose address leads to others: that of no object, or one that a pointer is moved from."""
-    operand = address.operand
     if isinstance(operand, ccode.NameReference):
         return operand.target if isinstance(operand.target, ccode.Field) else None
     if not isinstance(operand, ccode.Member):
         return None
-    taker, given = _taker(address)
     if isinstance(taker, ccode.NameReference):
         taker = taker.target
     elif isinstance(taker, ccode.Call):
-        place = list(taker.arguments).index(given)  # type: ignore[arg-type]
-        parameters = list(taker.callee.parameters) if isinstance(taker.callee, ccode.Function) else []
-        taker = parameters[place] if place < len(parameters) else None
+        taker = _parameter(taker, given)
     moved = isinstance(taker, (ccode.Variable, ccode.Parameter)) and any(map(_is_moved, taker.references))
     return field_of(operand, {}) if moved else None
+
+
+def _parameter(call: ccode.Call, argument: Element) -> ccode.Parameter | None:
+    """The parameter of a declared function that takes an argument."""
+    parameters = list(call.callee.parameters) if isinstance(call.callee, ccode.Function) else []
+    place = next(number for number, each in enumerate(call.arguments) if each is argument)
+    return parameters[place] if place < len(parameters) else None
 
 
 def _is_moved(pointer: ccode.NameReference) -> bool:
@@ -141,40 +164,53 @@ def _taker(expression: ccode.Expression) -> tuple[Element | None, Element]:
         if isinstance(taker, ccode.Cast) and taker.target is not None and parse(str(taker.target.canonical)).base != "void":
             return taker, given
         given, taker = taker, taker.eContainer()
+    if isinstance(given, ccode.Cast) and given.target is None and isinstance(taker, (ccode.Unary, ccode.Index)):
+        return given, expression  # *reinterpret_cast<char *>(&lamp)
     if isinstance(taker, ccode.Assignment):
         return (taker.left, given) if taker.right is given and taker.operator == "=" else (None, given)
     if isinstance(taker, ccode.Call):
-        return (taker, given) if given in list(taker.arguments) else (None, given)
+        return (taker, given) if any(each is given for each in taker.arguments) else (None, given)
     return (taker, given) if isinstance(taker, (ccode.Variable, ccode.Return)) else (None, given)
+
+
+def _type_of_taker(taker: Element | None, given: Element) -> ccode.TypeUse | None:
+    if isinstance(taker, ccode.Call):
+        taker = _parameter(taker, given)
+    if isinstance(taker, ccode.Cast):
+        return taker.target
+    if isinstance(taker, ccode.Return):
+        function = ancestor_of_kind(taker, ccode.Function)
+        return function.returnType if function is not None else None
+    if isinstance(taker, (ccode.Variable, ccode.Parameter)):
+        return taker.valueType
+    kind = type_of(taker, {}) if isinstance(taker, ccode.Expression) else None
+    return kind.use if kind is not None else None
 
 
 def _is_bytes(taker: Element | None, given: Element, record: ccode.Record, view: CodeView) -> bool:
     """Whether what takes a pointer to a record may write its memory without its members."""
+    use = _type_of_taker(taker, given)
     if isinstance(taker, ccode.Call):
-        place = list(taker.arguments).index(given)  # type: ignore[arg-type]
-        callee = taker.callee
-        parameters = list(callee.parameters) if isinstance(callee, ccode.Function) else []
-        if isinstance(callee, ccode.Function) and callee.definition and place < len(parameters):
-            return _is_bytes(parameters[place], given, record, view)
-        if place < len(parameters) and (kind := of_use(parameters[place].valueType)) is not None and kind.constant:
-            return False
-        if str(taker.calleeName) in _COPIES:
-            others = [_object_type(each) for number, each in enumerate(taker.arguments) if number < 2 and number != place]
-            return not place and any(other is None or other.declaration is not record for other in others)
-        return handed_over(taker, view.api)[0] is not given
-    use = taker.target if isinstance(taker, ccode.Cast) else None
-    if isinstance(taker, ccode.Return):
-        function = ancestor_of_kind(taker, ccode.Function)
-        use = function.returnType if function is not None else None
-    elif isinstance(taker, (ccode.Variable, ccode.Parameter)):
-        use = taker.valueType
-    elif isinstance(taker, ccode.Expression) and not isinstance(taker, ccode.Cast):
-        kind = type_of(taker, {})
-        use = kind.use if kind is not None else None
+        parameter = _parameter(taker, given)
+        if not (isinstance(taker.callee, ccode.Function) and taker.callee.definition and parameter is not None):
+            kind = of_use(use)
+            return not (kind is not None and kind.constant) and _may_write(taker, given, record, view)
+        taker = parameter
+    if isinstance(taker, ccode.Cast) and use is None:
+        return True
     base = parse(str(use.canonical or use.spelling)).base if use is not None else ""
     if not base or not set(base.split()) <= _BYTES:
         return False
     return base != "void" or not isinstance(taker, (ccode.Variable, ccode.Parameter)) or not _only_as_record(taker)
+
+
+def _may_write(call: ccode.Call, argument: Element, record: ccode.Record, view: CodeView) -> bool:
+    """Whether a function that the program does not define may write other values into a record than such a record has."""
+    if str(call.calleeName) in _COPIES:
+        arguments = list(call.arguments)[:2]
+        others = [_object_type(each) for each in arguments if each is not argument]
+        return arguments[0] is argument and any(other is None or other.declaration is not record for other in others)
+    return handed_over(call, view.api)[0] is not argument
 
 
 def _only_as_record(pointer: ccode.Variable | ccode.Parameter) -> bool:

@@ -45,7 +45,7 @@ class ValueUses:
                 self._use(element, view)
         if self._has_macros:
             self._repeated(view)
-        for record, element in records_as_bytes(view) if self._has_records else ():
+        for record, element in records_as_bytes(view, self.reader.classes.around) if self._has_records else ():
             self.reader.open(record, f"line {element.line} accesses its bytes")
 
     def _repeated(self, view: CodeView) -> None:

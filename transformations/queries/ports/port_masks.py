@@ -27,6 +27,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.classes import Classes
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
@@ -263,11 +264,12 @@ class GivenValues:
         for view in views:
             for element in view.elements:
                 self._read(element, view)
+        classes = Classes(views)
         for view in views:
             for reference in view.of_kind(ccode.NameReference):
                 if isinstance(function := reference.target, ccode.Function) and id(function) not in self._handed:
                     self._unknown(function, reference)
-            for record, element in records_as_bytes(view):
+            for record, element in records_as_bytes(view, classes.around):
                 self._open(record, element)
 
     def of(self, key: Hashable) -> list[ccode.Located]:
