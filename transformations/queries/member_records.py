@@ -198,8 +198,10 @@ def _is_bytes(taker: Element | None, given: Element, record: ccode.Record, view:
         taker = parameter
     if isinstance(taker, ccode.Cast) and use is None:
         return True
+    kind = of_use(use)
     base = parse(str(use.canonical or use.spelling)).base if use is not None else ""
-    if not base or not set(base.split()) <= _BYTES:
+    of_enumeration = kind is not None and isinstance(kind.declaration, ccode.Enumeration)
+    if not base or not (of_enumeration or set(base.split()) <= _BYTES):
         return False
     return base != "void" or not isinstance(taker, (ccode.Variable, ccode.Parameter)) or not _only_as_record(taker)
 

@@ -16,9 +16,8 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
-from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, shared_names, statics, type_name
+from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, shared_names, statics
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.listed_values import Initialisers, designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import CutNumbers, pin_number
@@ -46,8 +45,6 @@ from robosmi.transformations.queries.values import calls_of_value
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
-_ANY = frozenset(["void *", "const void *"])
-"""Pointers to which a record's are converted to hand them on."""
 _DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -228,17 +225,8 @@ class FlowReader:
             self.flows.freeze(self._field(str(field.name), record_key(field.eContainer())), why, computed=True)
 
     def _cast(self, cast: ccode.Cast) -> None:
-        """Join the members at equal positions of two records between whose pointers a cast converts.
-
-        A pointer to numbers made of one to a record may read and write all its members.
-        """
+        """Join the members at equal positions of two records between whose pointers a cast converts."""
         records = records_of_cast(cast)
-        if records is None and cast.target is not None and cast.target.pointerDepth and str(cast.target.spelling) not in _ANY:
-            kind = type_of(cast.operand, {})
-            record = kind.declaration if kind is not None and kind.depth else None
-            if isinstance(record, ccode.Record):
-                self.flows.freeze(self.value(cast.operand), f"line {cast.line} casts it", computed=True)
-                self.open(record, f"line {cast.line} casts it")
         fields = [record.fields for record in records] if records is not None else []
         for one, other in zip(*fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]

@@ -46,7 +46,9 @@ class ValueUses:
         if self._has_macros:
             self._repeated(view)
         for record, element in records_as_bytes(view, self.reader.classes.around) if self._has_records else ():
-            self.reader.open(record, f"line {element.line} accesses its bytes")
+            why = f"line {element.line} accesses its bytes"
+            self.reader.open(record, why)
+            self.reader.flows.freeze(self.reader.value(element), why, computed=True)
 
     def _repeated(self, view: CodeView) -> None:
         """Keep the numbers that a macro uses several times (`MAX(18, 17)`), once in a way that is not followed."""

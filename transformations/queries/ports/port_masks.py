@@ -264,12 +264,12 @@ class GivenValues:
         for view in views:
             for element in view.elements:
                 self._read(element, view)
-        classes = Classes(views)
+        classes = Classes(views) if any(view.of_kind(ccode.Record) for view in views) else None
         for view in views:
             for reference in view.of_kind(ccode.NameReference):
                 if isinstance(function := reference.target, ccode.Function) and id(function) not in self._handed:
                     self._unknown(function, reference)
-            for record, element in records_as_bytes(view, classes.around):
+            for record, element in records_as_bytes(view, classes.around) if classes is not None else ():
                 self._open(record, element)
 
     def of(self, key: Hashable) -> list[ccode.Located]:
@@ -430,11 +430,13 @@ class GivenValues:
         if isinstance(around, ccode.Cast) and record_of(around.target) is not None:
             for member, one in members_given(around.target, values):
                 self._give(MemberKey(str(member.name), record_key(member.eContainer())), one)
-        elif not isinstance(around, (ccode.Variable, ccode.InitializerList, ccode.MemberInitializer, ccode.Field)):
-            if not (isinstance(around, ccode.Assignment) and isinstance(around.eContainer(), ccode.InitializerList)):
-                for record in (each for view in self._views for each in view.of_kind(ccode.Record)):
-                    if len(record.fields) >= len(values.elements):
-                        self._open(record, values)
+            return
+        inside = isinstance(around, ccode.Assignment) and isinstance(around.eContainer(), ccode.InitializerList)
+        if inside or isinstance(around, (ccode.Variable, ccode.InitializerList, ccode.MemberInitializer, ccode.Field)):
+            return
+        for record in (each for view in self._views for each in view.of_kind(ccode.Record)):
+            if len(record.fields) >= len(values.elements):
+                self._open(record, values)
 
     def _initialised(self, variable: ccode.Variable) -> None:
         first = variable.initializer
