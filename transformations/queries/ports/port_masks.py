@@ -416,7 +416,9 @@ class GivenValues:
                 self._give(key, one)
             if record.recordKind is ccode.RecordKind.unionType:
                 self._join(keys[0], key)
-        if record.recordKind is ccode.RecordKind.unionType and has_several_types(record):
+        uses = [field.valueType for field in record.fields]
+        parts = any(use is not None and (use.arrayDims or record_of(use) is not None) for use in uses)
+        if parts and record.recordKind is ccode.RecordKind.unionType and has_several_types(record):
             self._open(record, record)
 
     def _open(self, record: ccode.Record, why: ccode.Located) -> None:
