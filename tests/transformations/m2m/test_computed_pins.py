@@ -31,6 +31,15 @@ def test_what_a_program_may_write_otherwise_than_by_name_is_known_only_at_run_ti
     assert sorted(found) == [number for number, line in lines if line.endswith("// ?")]
 
 
+def test_numbers_whose_further_use_is_not_followed_stay() -> None:
+    program = PROGRAMS / "kept.cpp"
+    plan = robosmi.plan_migration([program]).plan
+    numbered = program.read_text().index("enum {"), program.read_text().index("};")
+    changes = [change for flow in plan.portFlows for change in flow.changes]
+    assert len(changes) >= 8
+    assert [change for change in changes if numbered[0] < change.startOffset < numbered[1]] == []
+
+
 @pytest.mark.exhaustive
 @pytest.mark.processes
 @pytest.mark.parametrize("seed", range(1, 9))
