@@ -8,17 +8,20 @@ record. `record_members` handles record types that the program does not declare.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator
+from typing import TypeAlias
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, ValueType, field_of, of_use, parse, type_of
-from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.initialisers import record_of
 
 _BYTES = ARITHMETIC | {"void"}
 """Words of the types by which a record's memory is accessed without its members."""
+Handed: TypeAlias = Callable[[ccode.Call], "ccode.Expression | None"]
+"""What a call hands to code that it starts on another core."""
 _COPIES = frozenset({"memcpy", "memmove"})
 _ADDRESSES = (
     ccode.NameReference, ccode.Member, ccode.Unary, ccode.Binary, ccode.Index, ccode.Call, ccode.UnknownExpression,
@@ -76,7 +79,9 @@ def _object_type(expression: ccode.Expression | None) -> ValueType | None:
 
 
 def records_as_bytes(
-    view: CodeView, around: Callable[[Element], ccode.Record | None]
+    view: CodeView,
+    around: Callable[[Element], ccode.Record | None],
+    handed_over: Callable[[ccode.Call, ApiIndex], tuple[ccode.Expression | None, ccode.Function | None]],
 ) -> Iterator[tuple[ccode.Record, ccode.Expression]]:
     """The records of a unit whose memory may be written without their members, each with the expression that hands it on.
 
@@ -86,6 +91,7 @@ def records_as_bytes(
     Args:
         view: the unit.
         around: the class whose member function contains an element.
+        handed_over: what a call hands to code that it starts on another core.
     """
     for element in view.elements:
         if isinstance(element, _ADDRESSES):
@@ -101,7 +107,7 @@ def records_as_bytes(
             else:
                 one = kind.declaration if kind is not None and kind.depth else None
             if isinstance(one, ccode.Record):
-                if _is_bytes(taker, given, one, view):
+                if _is_bytes(taker, given, one, lambda call: handed_over(call, view.api)[0]):
                     yield one, element
             elif kind is not None and kind.depth and set(kind.base.split()) <= ARITHMETIC:
                 made = of_use(_type_of_taker(taker, given))
@@ -109,15 +115,15 @@ def records_as_bytes(
                     yield made.declaration, element
 
 
-def deep_fields(record: ccode.Record) -> Iterator[ccode.Field]:
+def all_fields(record: ccode.Record) -> Iterator[ccode.Field]:
     """The members of a record, of the records in it and of its base classes."""
     for base in map(record_of, record.bases):
-        yield from deep_fields(base) if base is not None and base is not record else ()
+        yield from all_fields(base) if base is not None and base is not record else ()
     for field in record.fields:
         yield field
         inner = record_of(field.valueType)
         if inner is not None and inner is not record:
-            yield from deep_fields(inner)
+            yield from all_fields(inner)
 
 
 def has_several_types(union: ccode.Record) -> bool:
@@ -187,14 +193,14 @@ def _type_of_taker(taker: Element | None, given: Element) -> ccode.TypeUse | Non
     return kind.use if kind is not None else None
 
 
-def _is_bytes(taker: Element | None, given: Element, record: ccode.Record, view: CodeView) -> bool:
+def _is_bytes(taker: Element | None, given: Element, record: ccode.Record, handed: Handed) -> bool:
     """Whether what takes a pointer to a record may write its memory without its members."""
     use = _type_of_taker(taker, given)
     if isinstance(taker, ccode.Call):
         parameter = _parameter(taker, given)
         if not (isinstance(taker.callee, ccode.Function) and taker.callee.definition and parameter is not None):
             kind = of_use(use)
-            return not (kind is not None and kind.constant) and _may_write(taker, given, record, view)
+            return not (kind is not None and kind.constant) and _may_write(taker, given, record, handed)
         taker = parameter
     if isinstance(taker, ccode.Cast) and use is None:
         return True
@@ -206,13 +212,13 @@ def _is_bytes(taker: Element | None, given: Element, record: ccode.Record, view:
     return base != "void" or not isinstance(taker, (ccode.Variable, ccode.Parameter)) or not _only_as_record(taker)
 
 
-def _may_write(call: ccode.Call, argument: Element, record: ccode.Record, view: CodeView) -> bool:
+def _may_write(call: ccode.Call, argument: Element, record: ccode.Record, handed: Handed) -> bool:
     """Whether a function that the program does not define may write other values into a record than such a record has."""
     if str(call.calleeName) in _COPIES:
         arguments = list(call.arguments)[:2]
         others = [_object_type(each) for each in arguments if each is not argument]
         return arguments[0] is argument and any(other is None or other.declaration is not record for other in others)
-    return handed_over(call, view.api)[0] is not argument
+    return handed(call) is not argument
 
 
 def _only_as_record(pointer: ccode.Variable | ccode.Parameter) -> bool:

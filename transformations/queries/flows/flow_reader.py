@@ -33,7 +33,7 @@ from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText, passed_to_macros
 from robosmi.transformations.queries.member_records import (
-    deep_fields,
+    all_fields,
     has_several_types,
     record_key,
     record_of_member,
@@ -219,9 +219,9 @@ class FlowReader:
                     self.flows.join(unknown, other)
         return key
 
-    def open(self, record: ccode.Record, why: str) -> None:
+    def loosen(self, record: ccode.Record, why: str) -> None:
         """Let the members of a record, and of the records in it, have any value."""
-        for field in deep_fields(record):
+        for field in all_fields(record):
             self.flows.freeze(self._field(str(field.name), record_key(field.eContainer())), why, computed=True)
 
     def _cast(self, cast: ccode.Cast) -> None:
@@ -426,7 +426,7 @@ class FlowReader:
         for key in keys:
             self.flows.join(keys[0], key)
         if has_several_types(union):
-            self.open(union, "it is a member of a union of several types")
+            self.loosen(union, "it is a member of a union of several types")
 
     def _listed(self, values: ccode.InitializerList) -> None:
         """Give the members of a structure what a list without a variable gives them: `(struct led){4, 5}`, `return {4, 5}`.

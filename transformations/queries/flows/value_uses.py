@@ -11,6 +11,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.class_pins import follows_argument, method_pins
+from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.flow_reader import FlowReader
 from robosmi.transformations.queries.flows.listed_values import gone_through
 from robosmi.transformations.queries.flows.pointers import gives_access
@@ -49,9 +50,9 @@ class ValueUses:
             self._given_back(each)
         if view.unit.language == "C++":
             self._template_arguments(view)
-        for record, element in records_as_bytes(view, self.reader.classes.around) if self._has_records else ():
+        for record, element in records_as_bytes(view, self.reader.classes.around, handed_over) if self._has_records else ():
             why = f"line {element.line} accesses its bytes"
-            self.reader.open(record, why)
+            self.reader.loosen(record, why)
             self.reader.flows.freeze(self.reader.value(element), why, computed=True)
 
     def _repeated(self, view: CodeView) -> None:

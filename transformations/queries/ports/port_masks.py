@@ -33,7 +33,7 @@ from robosmi.transformations.queries.flows.pointers import gives_access, moved_p
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.member_records import (
-    deep_fields,
+    all_fields,
     has_several_types,
     record_key,
     record_of_member,
@@ -269,7 +269,7 @@ class GivenValues:
             for reference in view.of_kind(ccode.NameReference):
                 if isinstance(function := reference.target, ccode.Function) and id(function) not in self._handed:
                     self._unknown(function, reference)
-            for record, element in records_as_bytes(view, classes.around) if classes is not None else ():
+            for record, element in records_as_bytes(view, classes.around, handed_over) if classes is not None else ():
                 self._open(record, element)
 
     def of(self, key: Hashable) -> list[ccode.Located]:
@@ -423,7 +423,7 @@ class GivenValues:
 
     def _open(self, record: ccode.Record, why: ccode.Located) -> None:
         """Give the members of a record, and of the records in it, a value that the text does not say."""
-        for field in deep_fields(record):
+        for field in all_fields(record):
             self._give(MemberKey(str(field.name), record_key(field.eContainer())), why)
 
     def _listed(self, values: ccode.InitializerList) -> None:
