@@ -460,7 +460,7 @@ class _Reader:
 
     def preserve_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
         """Keep the text of a link whose file was found by a mapping: the file's own path says less than it."""
-        if (document.path, link.partition("#")[0]) not in self._mapped:
+        if not self._mapped or (document.path, link.partition("#")[0]) not in self._mapped:
             return False
         preserve_link(owner, entry.key, found, self.proxy(document, link, entry), False)
         return True
