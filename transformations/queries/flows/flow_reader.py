@@ -512,8 +512,8 @@ class FlowReader:
         for taken in [each.parameters for each in lambdas] + [each.parameters for each in own]:
             for parameter, argument in zip(taken, arguments, strict=False):
                 self._give(self.key(parameter), argument)
-        for taken in lambdas if not alone else ():
-            for parameter in taken.parameters:
+        for each in lambdas if not alone else ():
+            for parameter in each.parameters:
                 self.flows.freeze(self.key(parameter), f"line {call.line} may call something else with it")
         if alone or own:
             return

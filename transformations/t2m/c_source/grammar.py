@@ -82,16 +82,16 @@ def _lambda(context: UnitContext, node: Node) -> ccode.Expression | None:
     )
 
 
-def _captures(context: UnitContext, node: Node) -> list[ccode.Declaration]:
+def _captures(context: UnitContext, node: Node) -> list[ccode.Variable]:
     """The variables that a lambda's captures declare (`[k = 300]`): those that refer to themselves."""
     named = [child for child in node.children if child.kind == cursor_kinds.VARIABLE_REF]
     declared = [(child, context.lib.getCursorReferenced(child.cursor)) for child in named]
     own = [cursor for child, cursor in declared if context.name_offset(cursor) == context.name_offset(child.cursor)]
     made = declarations.group(context, [context.parsed.reader.subtree(cursor) for cursor in own])
-    for variable, cursor in zip(made, own, strict=True):
-        if isinstance(variable, ccode.Variable):
-            variable.valueType = types.deduced(context, context.lib.getCursorType(cursor))
-    return made
+    variables = [each for each in made if isinstance(each, ccode.Variable)]
+    for variable, cursor in zip(variables, own, strict=True):
+        variable.valueType = types.deduced(context, context.lib.getCursorType(cursor))
+    return variables
 
 
 def _is_call_operator(context: UnitContext, node: Node) -> bool:
