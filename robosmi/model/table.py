@@ -108,7 +108,9 @@ class TableModel(Model):
         place = Path(path)
         files = sorted(f for f in place.iterdir() if f.suffix.lower() in (".csv", ".tsv")) if place.is_dir() else [place]
         if not files:
-            raise SourceError("the folder holds no CSV file", location=Location(str(place)), fix="give another folder")
+            models = sorted(str(model) for pattern in ("*.xmi", "*/*.xmi") for model in place.glob(pattern))
+            fix = f"give one of its models: {', '.join(models[:4])}" if models else "give another folder"
+            raise SourceError("the folder holds no CSV file", location=Location(str(place)), fix=fix)
         return cls([_read(file, types or {}) for file in files], name or place.stem, place)
 
     def save(self, path: str | Path | None = None) -> None:

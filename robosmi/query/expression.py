@@ -11,6 +11,7 @@ reach. How a value is shown is in `answers`.
 from __future__ import annotations
 
 import ast
+import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from datetime import date
@@ -369,7 +370,10 @@ def _answer(name: str, /, *arguments: Any, **options: Any) -> Any:
         raise
     except Exception as error:  # whatever a query does that is given nothing
         if (number := next((n for n, each in enumerate(arguments, 1) if each is None), None)) is None:
-            raise
+            if registry().owner("named query", name):
+                raise  # its plug-in is blamed
+            taken = f"pass what it takes: {name}{inspect.signature(registry().get('named query', name))}"
+            raise UsageError(f"the query '{name}' fails: {type(error).__name__}: {error}", fix=taken) from error
         said = f"the query '{name}' fails ({type(error).__name__}): its argument {number} has no value"
         raise UsageError(said, fix="query that argument by itself; the models may have no such element") from error
     if isinstance(made, Iterator):

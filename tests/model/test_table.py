@@ -74,5 +74,14 @@ def test_a_cell_that_does_not_fit_its_type_is_said_with_its_line() -> None:
 
 
 def test_an_empty_folder_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(SourceError, match="holds no CSV file"):
+    with pytest.raises(SourceError, match="holds no CSV file") as raised:
         TableModel.load(tmp_path)
+    assert raised.value.fix == "give another folder"
+
+
+def test_a_folder_of_models_names_them(tmp_path: Path) -> None:
+    (tmp_path / "models").mkdir()
+    (tmp_path / "models" / "plan.xmi").write_text("")
+    with pytest.raises(SourceError, match="holds no CSV file") as raised:
+        TableModel.load(tmp_path)
+    assert raised.value.fix == f"give one of its models: {tmp_path / 'models' / 'plan.xmi'}"

@@ -121,6 +121,7 @@ def test_a_named_query_on_the_command_line(monkeypatch: pytest.MonkeyPatch) -> N
     outcome = run("query", PROGRAM, "user_calls(Program.all.first()).keys()", "--json")
     assert outcome.result == {"value": ["clamp"]}
     assert run("query", PROGRAM, "user_calls(Program.all.first(), 1)").code == 2
+    assert "pass what it takes: user_calls(program: " in run("query", PROGRAM, "user_calls(1)").err
 
 
 def test_an_argument_without_a_value_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

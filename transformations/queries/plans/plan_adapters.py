@@ -52,7 +52,7 @@ def limits(use: migration.AdapterUse) -> list[str]:
 
 
 def port_calls(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[ccode.Call]:
-    """The calls of platform functions that drive or read a port, in text order, except calls in macro bodies.
+    """The calls of platform functions that drive or read a port, in text order, with those that macros expand to.
 
     Args:
         plan: the plan.
