@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.errors import PlatformDataError
+from robosmi.errors import PlatformDataError, UsageError
 from robosmi.resources import built_in
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.knowledge.board_models import load_board, load_mapping
@@ -194,9 +194,9 @@ def test_a_microcontroller_without_a_table_is_the_cause_why_a_program_is_not_jud
     )
     monkeypatch.chdir(tmp_path)
     assert run("trust", ".").code == 0
-    done = run("simulate", "out")
-    assert done.code == 2
-    assert "add a table [stm32f103c8] to simulation/api.toml" in done.err
+    with pytest.raises(UsageError) as caught:
+        api_build.compile_to_run(tmp_path / "out", tmp_path)
+    assert "add a table [stm32f103c8] to simulation/api.toml" in str(caught.value.fix)
 
 
 def test_the_page_names_the_microcontrollers_that_are_there() -> None:

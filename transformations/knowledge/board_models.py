@@ -332,7 +332,8 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         usual = check_core(table, _settings(platform_name, project), str(chip.architecture) if chip is not None else "")
         if numbers or (not usual and any(map(str.isdecimal, written))):
             check_complete(table, [label for label in labels if label not in numbers and label not in literals])
-        check_numbers(table, board.pins, {"numbers": numbers, "interrupts": interrupts}, core.text("numbers_by_port", ""))
+        by_port = core.pattern("numbers_by_port") if "numbers_by_port" in core.values else None
+        check_numbers(table, board.pins, {"numbers": numbers, "interrupts": interrupts}, by_port)
         if len({*written}) < len(written):
             twice = sorted({word for word in written if written.count(word) > 1})
             raise table.error("literals", f"and 'numbers' give two pins one name in programs: {', '.join(twice)}")

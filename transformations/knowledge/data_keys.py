@@ -60,14 +60,16 @@ def check_complete(table: DataTable, lacking: Sequence[str | None]) -> None:
         )
 
 
-def check_numbers(table: DataTable, pins: Iterable[platform.Pin], said: Mapping[str, Mapping[str, int]], by_port: str) -> None:
+def check_numbers(
+    table: DataTable, pins: Iterable[platform.Pin], said: Mapping[str, Mapping[str, int]], by_port: re.Pattern[str] | None
+) -> None:
     """Refuse numbers with which programs would use another pin than they name.
 
     Args:
         table: the mapping.
         pins: those of the board.
         said: its tables `numbers` and `interrupts`, by key.
-        by_port: a regular expression for a port, whose group is the core's number of a pin there; empty where ports do not tell.
+        by_port: a regular expression for a port, whose group is the core's number of a pin there; None where ports do not tell.
 
     Raises:
         PlatformDataError: a number is none of a pin, two pins have it, or the core calls another port so.
@@ -78,7 +80,7 @@ def check_numbers(table: DataTable, pins: Iterable[platform.Pin], said: Mapping[
         for label, number in numbers.items():
             if not 0 <= number <= _MOST_NUMBER:
                 raise table.error(f"{key}.{label}", f"is {number}, but cores have numbers from 0 to {_MOST_NUMBER}")
-            if by_port and (of_port := re.fullmatch(by_port, ports[label])) and int(of_port[1]) != number:
+            if by_port and (of_port := by_port.fullmatch(ports[label])) and int(of_port[1]) != number:
                 problem = f"is {number}, but the pin is at {ports[label]}, which is {of_port[1]} in this core"
                 raise table.error(f"{key}.{label}", problem, f"write {label} = {of_port[1]}, or correct the port of {label}")
             if number in bearers:
