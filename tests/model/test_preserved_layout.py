@@ -63,10 +63,10 @@ def test_an_edit_of_one_of_several_roots_changes_its_line(tmp_path: Path) -> Non
     model.Group.all[0].nodes[0].weight = 2
     model.save()
     assert changed(before, (tmp_path / "m.xmi").read_bytes()) == [
-        """-     <nodes weight="1" name="n1" xmi:id="_1"/>""",
-        """+     <nodes weight="2" name="n1" xmi:id="_1"/>""",
-        """-  <g:Group xmi:id="_b" name='b'/>""",
-        """+  <g:Group xmi:id="_b" name="c"/>""",
+        """-     <nodes weight="1" name="n1" xmi:id="_1" />""",
+        """+     <nodes weight="2" name="n1" xmi:id="_1" />""",
+        """-  <g:Group xmi:id="_b" name='b' />""",
+        """+  <g:Group xmi:id="_b" name="c" />""",
     ]
 
 

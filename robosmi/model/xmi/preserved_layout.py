@@ -144,6 +144,11 @@ class ElementText:
         found = node.attributes.get(name)
         return None if found is None else found[2][1:-1]
 
+    def blanks(self, node: TextElement) -> bytes:
+        """What is between the last attribute, or the tag, and the end of the start tag."""
+        start = max((end for _, end, _ in node.attributes.values()), default=node.start + 1 + len(node.tag))
+        return self.data[start : node.inner - (2 if node.is_empty else 1)]
+
     def key(self, node: TextElement) -> tuple[bytes, ...]:
         """What an element is likely to be recognised by after it was changed."""
         found = next((value for name in _KEYS if (value := self.value(node, name)) is not None), b"")
@@ -169,16 +174,17 @@ class _Merge:
         if self.old.of(old) == self.new.of(new):
             return self.file.of(file)
         head, gone = self.head(file, old, new)
+        blanks = self.file.blanks(file)
         if not new.children and not old.children:  # a value
             before, now = self.old.data[old.inner : old.outer], self.new.data[new.inner : new.outer]
             if not file.children and before != now:
                 return b"%s>%s</%s>" % (head, now, file.tag)
         if not new.children and not file.children:
-            return head + self.file.data[file.inner - (2 if file.is_empty else 1) : file.end]
+            return head + blanks + self.file.data[file.inner - (2 if file.is_empty else 1) : file.end]
         body = self.body(file, old, new, gone)
         if not body.strip():
-            return head + b"/>"
-        return b"%s>%s</%s>" % (head, body, file.tag)
+            return head + blanks + b"/>"
+        return b"%s%s>%s</%s>" % (head, b"" if file.is_empty else blanks, body, file.tag)
 
     def head(self, file: TextElement, old: TextElement, new: TextElement) -> tuple[bytes, set[bytes]]:
         """The start tag without its end, and the names of attributes that are no elements any more."""
