@@ -209,8 +209,12 @@ class EmfModel(TypedModel):
         write_atomic(target, text)
         if self.path is None:
             self.path = target
-        if self._digest and os.path.realpath(target) == os.path.realpath(self.path):
-            self._digest = hashlib.sha256(text).hexdigest()
+        if (place := os.path.realpath(target)) == os.path.realpath(self.path):
+            if self._digest:
+                self._digest = hashlib.sha256(text).hexdigest()
+            for other in self._open_files.models().values() if self._open_files is not None else ():
+                if isinstance(other, EmfModel):
+                    other._edits.files.discard(Path(place))
 
     def others_are_saved(self) -> None:
         """Note that the files that were read with this one have been written as they are now."""

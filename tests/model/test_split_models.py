@@ -245,3 +245,8 @@ def test_a_save_that_does_not_write_what_was_edited_says_so(folder: Path) -> Non
     session.save_all()
     model.save()
     assert model.findings == []
+    part: Any = session.open_model(folder / "q.xmi", metamodel=folder / "g.ecore")
+    model.Node.all[0].name = "third"
+    part.save()
+    model.save()
+    assert model.findings == []

@@ -184,7 +184,8 @@ class MetamodelReader:
             reason = ModelError(
                 f"the namespace '{uri}' is that of '{first.path}', '{second.path}'{more}",
                 location=self._place(second, second.by_uri[uri]),
-                fix="give the file that you mean besides its folder: a further --metamodel, metamodel=[FOLDER, FILE] in Python",
+                fix="give a smaller folder, or the file that you mean besides the folder: a further --metamodel, "
+                "metamodel=[FOLDER, FILE] in Python",
             )
             for file in those:
                 if file not in named:
