@@ -48,6 +48,9 @@ class EmfModel(TypedModel):
     Elements are what they were before, pyecore EObjects; a root may be in one model only, as in EMF.
     """
 
+    _met: set[type] | None = None
+    """The classes of its elements, once they were asked for."""
+
     def __init__(
         self,
         roots: EObject | Iterable[EObject] = (),
@@ -304,8 +307,16 @@ class EmfModel(TypedModel):
                 self._all = [element for root in self._roots.values() for element in walk(root)]
             self._extents.clear()
             self._ids = None
+            if self._met is not None:
+                self._met = None
             self._watch.changed = False
         return self._all
+
+    def _classes_met(self) -> set[type]:
+        everything = self._everything()
+        if self._met is None:
+            self._met = {element.__class__ for element in everything}
+        return self._met
 
     def refresh(self) -> None:
         """Forget the extents; only needed after a change that pyecore does not report (`discard` on a feature's collection)."""
