@@ -137,6 +137,7 @@ class EmfModel(TypedModel):
         document = open_files.read_before(place, used) if open_files is not None else None
         roots = document.roots if document is not None else None
         documents: dict[Path, Document] = {}
+        opened = None
         if roots is None:
             opened = open_files.documents(place) if open_files is not None else None
             try:
@@ -179,7 +180,7 @@ class EmfModel(TypedModel):
             model._schema_locations = document.schema_locations
             model._file_has_more = document.has_more
         if open_files is not None:
-            open_files.add(place, model, documents)
+            open_files.add(place, model, documents, opened)
         return model
 
     def save(
@@ -220,7 +221,7 @@ class EmfModel(TypedModel):
         """Add findings about what a save does not write: edits of other files' elements, and parts that are not in the model."""
         from robosmi.model.xmi.text_forms import is_json, is_yaml
 
-        self.findings = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
+        self.findings[:] = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
         where = Location(str(target))
         if self._edits.touched and self._read_with and target == self.path and target.is_file():
             if inputs.read_bytes(target, inputs.MODEL) == text:
