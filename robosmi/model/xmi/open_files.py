@@ -85,22 +85,22 @@ class OpenFiles:
         return found if all(own is not None and as_package(own) is package for package, own in packages) else None
 
     def add(self, path: Path, model: OpenModel, documents: Mapping[Path, Document], opened: OpenDocuments | None = None) -> None:
-        """Note a model and the files that were read with it; what other models could not resolve may be in them."""
+        """Note a model and the files that were read with it."""
         self._models[path] = model
         self._read.pop(path, None)
         for place, document in documents.items():
             if place not in self._models:
                 self._read[place] = document, _digest(place)
-        own = opened is not None and opened.waiting is not None and opened.asked == self.openings  # what it has, it was asked for
         self.openings += 1
-        if own and opened is not None:
-            opened.asked = self.openings
         if opened is not None and opened.waiting is not None:
+            if opened.asked == self.openings - 1:  # no other file came between
+                opened.asked = self.openings
             self._waiting.append(opened)
-        if not self._asks:  # else a hook opens a file, and the loop that asks it goes on
-            self._ask_again()
 
-    def _ask_again(self) -> None:
+    def ask_again(self) -> None:
+        """Ask the hook again for what it did not find before further files were opened."""
+        if self._asks:  # the hook has opened a file, and the loop that asks it goes on
+            return
         self._asks = True
         try:
             while behind := [each for each in self._waiting if each.asked < self.openings]:

@@ -10,6 +10,7 @@ import hashlib
 import os
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -103,7 +104,11 @@ class Oddities:
     ) -> None:
         """Note one; the element is that which has it."""
         known = self._kinds.setdefault((rule, kind), (fix, severity, []))
-        known[2].append((place, text, own_id(element) if element is not None else None))
+        identity = None
+        if element is not None:
+            with suppress(ModelError):  # the attribute is derived, and no code computes it
+                identity = own_id(element)
+        known[2].append((place, text, identity))
 
     def drop(self, rule: str, kind: tuple[str, ...], place: Location, text: str) -> None:
         """Forget one, which is no longer so."""
