@@ -124,12 +124,12 @@ def test_a_hook_is_asked_again_when_a_further_file_is_open(folder: Path) -> None
     def by_name(uri: str, file: Path, roots: list[Any]) -> Any:
         asked.append((uri, file.name))
         name = uri.partition("#")[2].partition("?")[0]
-        known = (each for model in session.models for each in model.all_of_kind("Node"))
+        known: list[Any] = [each for model in session.models for each in model.all_of_kind("Node")]
         return next((node for node in known if node.name == name), None)
 
     session = Session(resolve=by_name)
-    w, v = (session.open_model(folder / name, metamodel=folder / "g.ecore") for name in ("w.xmi", "v.xmi"))
-    edge: Any = w.all_of_kind("Edge")[0]
+    models: list[Any] = [session.open_model(folder / name, metamodel=folder / "g.ecore") for name in ("w.xmi", "v.xmi")]
+    (w, v), edge = models, models[0].Edge.all[0]
     assert (proxy_uri(edge.source), rules(w), rules(v)) == (link, [("RS609", 4)], [("RS609", 4)])
     ok: Any = session.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
     assert (edge.source, list(edge.source.out)) == (ok.Node.all[1], [edge])

@@ -19,17 +19,19 @@ FOLDER = Path(__file__).parent / "ambiguous"
 
 
 def opened(name: str, **options: Any) -> Any:
-    return ModelView(open_model(FOLDER / name, metamodel=FOLDER, **options))
+    return ModelView(open_model(FOLDER / name, name="M", metamodel=FOLDER, **options))
 
 
 @pytest.mark.parametrize("lazy", [False, True])
 def test_elements_of_another_package_are_told(lazy: bool) -> None:
     view = opened("two.xmi", lazy=lazy)
-    for asked in (lambda: view.Item, lambda: view.all("Item")):
+    for name in ("Item", "M!Item"):
         with pytest.warns(AmbiguousTypeWarning, match="stock::Item, parts::Item; the first is used"):
-            asked()
+            assert view.all(name).size() == 1
     with Run(view), pytest.warns(AmbiguousTypeWarning):
         assert all_instances("Item").pieces == [10]
+    with pytest.warns(AmbiguousTypeWarning):
+        assert view.Item.all.pieces == [10]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert view["parts::Item"].all.weight == [1, 2]

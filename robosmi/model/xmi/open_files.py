@@ -38,7 +38,7 @@ class OpenModel(Protocol):
         """All of its elements."""
 
 
-class Waiting(Protocol):
+class UnresolvedLinks(Protocol):
     """References that lead nowhere yet."""
 
     def ask_again(self) -> bool:
@@ -158,7 +158,7 @@ class OpenDocuments:
         self._found: dict[Path, Document | None] = {}
         self.asked = 0
         """How many files had been opened when the hook was asked last."""
-        self.waiting: Waiting | None = None
+        self.waiting: UnresolvedLinks | None = None
         """What asks it again, where references are left that lead nowhere."""
 
     def get(self, path: Path) -> Document | None:

@@ -211,7 +211,7 @@ class XmiLinker:
                 compact_slots.note_link(target, (owner, entry.feature))
 
     @staticmethod
-    def holds(owner: EObject, entry: FeatureEntry, target: EObject) -> bool:
+    def has_target(owner: EObject, entry: FeatureEntry, target: EObject) -> bool:
         """Whether an element refers to another one by a feature."""
         slot = owner.__dict__.get(entry.key)
         if slot is None or not entry.many:

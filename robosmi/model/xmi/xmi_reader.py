@@ -10,17 +10,16 @@ import hashlib
 import os
 import re
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import unquote
 
 from robosmi import inputs
-from robosmi.diagnostics import MORE, Finding, Location, Severity
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.ecore.metamodels import OWN_NAMESPACES, Metamodels, built_in
-from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Unreadable
+from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Oddities, Unreadable
 from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import (
     UNBOXED_TYPES,
@@ -28,7 +27,6 @@ from robosmi.model.elements.compact_slots import (
 )
 from robosmi.model.elements.ecore import DynamicEObject, EObject
 from robosmi.model.elements.features import class_in
-from robosmi.model.elements.fragments import own_id
 from robosmi.model.elements.proxies import new_proxy, preserve_link
 from robosmi.model.elements.pyecore_internals import (
     is_value,
@@ -40,7 +38,6 @@ from robosmi.model.xmi.xmi_linker import LEADS_NOWHERE, XmiLinker, resolve
 from robosmi.model.xmi.xmi_parser import parse
 
 if TYPE_CHECKING:
-    from robosmi.base.data_text import Json
     from robosmi.model.xmi.open_files import OpenDocuments
 
 
@@ -80,62 +77,6 @@ class UnreadableModelError(SourceError):
         self.problems = problems
         more = f"; there are {len(problems)} problems:\n{_listed(problems)}" if len(problems) > 1 else ""
         super().__init__(f"{text}{more}", location=location, fix=fix)
-
-
-Oddity = tuple[Location, str, "str | None"]
-"""Its place, its text, the id of its element."""
-
-
-class Oddities:
-    """What is odd in files that were read all the same: one finding of each kind, whose evidence lists all places."""
-
-    def __init__(self) -> None:
-        self._kinds: dict[tuple[str, tuple[str, ...]], tuple[str, Severity, list[Oddity]]] = {}
-
-    def add(
-        self,
-        rule: str,
-        kind: tuple[str, ...],
-        place: Location,
-        text: str,
-        fix: str,
-        severity: Severity = Severity.warning,
-        element: EObject | None = None,
-    ) -> None:
-        """Note one; the element is that which has it."""
-        known = self._kinds.setdefault((rule, kind), (fix, severity, []))
-        identity = None
-        if element is not None:
-            with suppress(ModelError):  # the attribute is derived, and no code computes it
-                identity = own_id(element)
-        known[2].append((place, text, identity))
-
-    def drop(self, rule: str, kind: tuple[str, ...], place: Location, text: str) -> None:
-        """Forget one, which is no longer so."""
-        _, _, same = self._kinds.get((rule, kind), ("", Severity.warning, []))
-        same[:] = [each for each in same if each[:2] != (place, text)]
-        if not same:
-            self._kinds.pop((rule, kind), None)
-
-    def kinds(self) -> list[tuple[str, tuple[str, ...]]]:
-        """The rules and kinds of which there is one."""
-        return list(self._kinds)
-
-    def drop_kind(self, rule: str, kind: tuple[str, ...]) -> None:
-        """Forget all of a kind."""
-        self._kinds.pop((rule, kind), None)
-
-    def findings(self) -> list[Finding]:
-        """One of each kind, in the order in which they were met."""
-        made = []
-        for (rule, _), (fix, severity, same) in self._kinds.items():
-            place, text, element = same[0]
-            more: dict[str, Json] = {}
-            if len(same) > 1:
-                text = f"{text} (and {len(same) - 1} more of this kind)"
-                more[MORE] = [{"location": at.to_json(), "element": one, "message": said} for at, said, one in same[1:]]
-            made.append(Finding(rule, severity, text, place, element, fix, more))
-        return made
 
 
 def _listed(problems: Problems) -> str:
@@ -478,7 +419,7 @@ class _Reader:
         hook = self.opened.hook if self.opened is not None else None
         left = []
         for each in self.unresolved:
-            if not self._linker.holds(each.owner, each.entry, each.proxy):
+            if not self._linker.has_target(each.owner, each.entry, each.proxy):
                 continue  # it was edited
             found = hook(each.link, each.document.path, each.document.roots) if hook is not None else None
             if found is None or not self._linker.replace(each.document, each.line, each.owner, each.entry, each.proxy, found):
