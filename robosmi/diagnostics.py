@@ -26,6 +26,10 @@ class Severity(IntEnum):
     error = 2
 
 
+MORE = "more"
+"""What a finding's evidence calls the other places of which it is true, each with `location`, `element` and `message`."""
+
+
 class Location(Struct, frozen=True):
     """A place in a text file. Lines and columns count from 1; columns count bytes, as compilers do."""
 

@@ -133,6 +133,21 @@ def did_you_mean(word: str, known: Iterable[str], least: float = 0.6) -> str:
     return f" (did you mean '{close[0]}'?)" if close else ""
 
 
+def some_of(known: Iterable[str], word: str, most: int = 20) -> str:
+    """The known words for a message; of more than `most` those that are nearest to a word, and how many others there are.
+
+    >>> some_of(["Cat", "Bat", "Dog"], "Cab", 2)
+    'Cat, and 2 more'
+    """
+    names = sorted(set(known))
+    if len(names) <= most:
+        return ", ".join(names)
+    import difflib  # as above
+
+    near = difflib.get_close_matches(word, names, n=5) or names[:most]
+    return f"{', '.join(near)}, and {len(names) - len(near):,} more"
+
+
 @contextmanager
 def placed(place: Location | None, advice: str = "") -> Iterator[None]:
     """Context manager: add a location, such as a settings file, to usage errors without one.

@@ -48,6 +48,9 @@ class EmfModel(TypedModel):
     Elements are what they were before, pyecore EObjects; a root may be in one model only, as in EMF.
     """
 
+    _met: set[type] | None = None
+    """The classes of its elements, once they were asked for."""
+
     def __init__(
         self,
         roots: EObject | Iterable[EObject] = (),
@@ -134,6 +137,7 @@ class EmfModel(TypedModel):
         document = open_files.read_before(place, used) if open_files is not None else None
         roots = document.roots if document is not None else None
         documents: dict[Path, Document] = {}
+        opened = None
         if roots is None:
             opened = open_files.documents(place) if open_files is not None else None
             try:
@@ -175,7 +179,7 @@ class EmfModel(TypedModel):
             model._schema_locations = document.schema_locations
             model._file_has_more = document.has_more
         if open_files is not None:
-            open_files.add(place, model, documents)
+            open_files.add(place, model, documents, opened)
         return model
 
     def save(
@@ -224,7 +228,7 @@ class EmfModel(TypedModel):
         """Add findings about what a save does not write: edits of other files' elements, and parts that are not in the model."""
         from robosmi.model.xmi.text_forms import is_json, is_yaml
 
-        self.findings = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
+        self.findings[:] = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
         where = Location(str(target))
         if edited := sorted(path.name for path in self._edits.files & self._read_with.keys()):
             said = f"edits of files that were read with '{target.name}' are not saved: {', '.join(edited)}"
@@ -308,8 +312,16 @@ class EmfModel(TypedModel):
                 self._all = [element for root in self._roots.values() for element in walk(root)]
             self._extents.clear()
             self._ids = None
+            if self._met is not None:
+                self._met = None
             self._watch.changed = False
         return self._all
+
+    def _classes_met(self) -> set[type]:
+        everything = self._everything()
+        if self._met is None:
+            self._met = {element.__class__ for element in everything}
+        return self._met
 
     def refresh(self) -> None:
         """Forget the extents; only needed after a change that pyecore does not report (`discard` on a feature's collection)."""

@@ -290,6 +290,9 @@ class LazyModel(EmfModel):
         numbers = kinds[0].members if len(kinds) == 1 else sorted(number for kind in kinds for number in kind.members)
         return [given[number] for number in numbers]
 
+    def _classes_met(self) -> set[type]:
+        return set(self._skeleton.kinds)
+
     def all_contents(self) -> Iterator[DynamicEObject]:
         """All elements in containment pre-order."""
         return iter(self._extent(object, False))

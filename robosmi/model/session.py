@@ -43,7 +43,7 @@ class Session:
 
     Args:
         resolve: asked for the element of a reference that leads nowhere, by its URI, the file, and the file's root elements; it
-            gives the element, or None for a proxy.
+            gives the element, or None for a proxy. It is asked again for a proxy whenever a further model is open.
         uris: beginnings of URIs -> the file or folder that they stand for (`{"pathmap://UML_LIBRARIES/": "libraries"}`).
     """
 
@@ -118,7 +118,13 @@ class Session:
             more["open_files"] = self._files
         model = opened_by(driven, Path(path), name, **options, **more)
         self._models.append(model)
+        self._files.ask_again()
         return model
+
+    @property
+    def models(self) -> list[Model]:
+        """The models that were opened, in this order; a hook finds in them what a reference leads to."""
+        return list(self._models)
 
     def save_all(self) -> list[Path]:
         """Write all models of this session, each into its file: the open ones, and the files that were read with them.

@@ -21,7 +21,7 @@ from pathlib import Path
 from types import BuiltinMethodType, CodeType, FunctionType, MethodType
 from typing import Any, Never, NoReturn
 
-from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean
+from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean, some_of
 from robosmi.model.elements.containment_order import ORDERED_FEATURES, EmfOperation, ordered_feature
 from robosmi.model.elements.driver import Model, ModelElement, TypeHandle
 from robosmi.model.elements.ecore import ECollection, EObject
@@ -339,7 +339,10 @@ def evaluate(
         elif name not in known and name not in bound:
             of_models = [n for view in views for n in view.type_names()]
             near = did_you_mean(name, [*known, *of_models])
-            fix = f"use a type ({_few(of_models)}) or a function of robosmi.query"
+            fix = f"use a type ({some_of(of_models, name) or 'there is none'}) or a function of robosmi.query"
+            paths = (path for view in views for path, _ in view.types())
+            if (inside := next((path for path in paths if name in path.split("::")[:-1]), None)) is not None:
+                fix = f'name a type with its package as in all_instances("{inside}")'
             if re.search(rf"\(\s*{name}\s*(:\s*\w+\s*)?\|", expression):
                 fix = f"a function of an item is written as in Python: lambda {name}: ..."
             raise UsageError(f"the name '{name}' is unknown{near}", fix=fix)
@@ -383,10 +386,6 @@ def _answer(name: str, /, *arguments: Any, **options: Any) -> Any:
     if isinstance(made, (list, tuple)) and type(made) in (list, tuple):  # a subclass has operations of its own
         return collections.Q(made)
     return made
-
-
-def _few(names: list[str]) -> str:
-    return ", ".join(sorted(set(names))[:20]) or "there is none"
 
 
 def _type(view: models.ModelView, name: str) -> TypeHandle | None:

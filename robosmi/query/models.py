@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Never, TypeVar, cast, overload
 from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import find_literal
 from robosmi.model.elements.driver import (
+    AmbiguousTypeWarning,
     DynamicNode,
     FeatureValue,
     Item,
@@ -249,7 +250,7 @@ def all_instances(name: str) -> Q[DynamicNode]:
     plain = name.rpartition("!")[2]
     if len(having) > 1:
         others = ", ".join(f"{m.name}!{plain}" for m in having)
-        warnings.warn(f"the type '{name}' may be any of {others}; the first is used", stacklevel=2)
+        warnings.warn(f"the type '{name}' may be any of {others}; the first is used", AmbiguousTypeWarning, stacklevel=2)
     return Q._of(list(having[0].all_of_kind(having[0].find_type(plain) or plain)))
 
 

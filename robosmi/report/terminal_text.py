@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterable, Iterator
 from typing import TextIO
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.diagnostics import MORE, Finding, Severity
 from robosmi.quoting import terminal
 from robosmi.report.document import Report
 
@@ -29,7 +29,7 @@ def terminal_text(report: Report, *, verbose: bool = False, colour: bool = False
     """
     lines = [terminal(line) for line in report.lines]
     for finding, more in grouped(report.findings, verbose=verbose):
-        lines += _finding(finding, colour)
+        lines += _finding(finding, colour, verbose)
         if more:
             lines.append(f"  and {more} more of {finding.rule} (-v shows all)")
     if report.next:
@@ -53,11 +53,17 @@ def grouped(findings: Iterable[Finding], *, verbose: bool = False) -> Iterator[t
             yield finding, len(same) - len(shown) if number == len(shown) else 0
 
 
-def _finding(finding: Finding, colour: bool) -> Iterator[str]:
-    """The lines of a finding, its place first, as compilers print it."""
+def _finding(finding: Finding, colour: bool, verbose: bool) -> Iterator[str]:
+    """The lines of a finding, its place first, as compilers print it; verbose, also the other places of which it is true."""
     place = f"{finding.location}: " if finding.location else ""
     word = f"\x1b[{_COLOURS[finding.severity]}m{finding.severity.name}\x1b[0m" if colour else finding.severity.name
     yield f"{terminal(place)}{word}: {terminal(f'{finding.message} [{finding.rule}]')}"
+    others = finding.listed(MORE)
+    for other in others if verbose else ():
+        if isinstance(other, dict) and isinstance(at := other["location"], dict):
+            yield terminal(f"  {at['path']}:{at['line']}: {other['message']}")
+    if others and not verbose:
+        yield "  (-v shows all places)"
     if finding.fix and finding.severity > Severity.info:
         yield terminal(f"  do: {finding.fix}")
 

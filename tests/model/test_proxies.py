@@ -43,6 +43,13 @@ def test_missing_values_are_findings_of_one_kind_each(folder: Path) -> None:
     model = opened(folder, "ok.xmi")
     assert rules(model) == [("RS608", 4)]
     assert "1 more" in model.findings[0].message
+    (other,) = model.findings[0].listed("more")
+    assert (other["location"]["line"], other["message"]) == (5, "Node has no 'name', which it needs")
+    shown = [
+        run("check", folder / "ok.xmi", "--metamodel", folder / "g.ecore", *options).out.count("Node has no 'name'")
+        for options in ((), ("-v",))
+    ]
+    assert shown == [1, 2]
     for options in ({"strict": True}, {"lenient": False}):
         with pytest.raises(ModelError, match="Node has no 'name'"):
             opened(folder, "ok.xmi", **options)
@@ -105,6 +112,48 @@ def test_foreign_fragments_stay_and_a_hook_resolves_them(folder: Path) -> None:
     resolved.Edge.all[0].source = resolved.Node.all[1]
     resolved.save()
     assert 'source="//@groups.0/@nodes.1"' in (folder / "ok.xmi").read_text()
+
+
+def test_a_hook_is_asked_again_when_a_further_file_is_open(folder: Path) -> None:
+    link = "app:/#n2?type=Node"
+    (folder / "w.xmi").write_text((folder / "w.xmi").read_text().replace("ok.xmi#//@groups.0/@nodes.1", link))
+    (folder / "v.xmi").write_text((folder / "w.xmi").read_text().replace("n2?", "nobody?"))
+    before = {file: file.read_bytes() for file in folder.glob("*.xmi")}
+    asked = []
+
+    def by_name(uri: str, file: Path, roots: list[Any]) -> Any:
+        asked.append((uri, file.name))
+        name = uri.partition("#")[2].partition("?")[0]
+        known: list[Any] = [each for model in session.models for each in model.all_of_kind("Node")]
+        return next((node for node in known if node.name == name), None)
+
+    session = Session(resolve=by_name)
+    models: list[Any] = [session.open_model(folder / name, metamodel=folder / "g.ecore") for name in ("w.xmi", "v.xmi")]
+    (w, v), edge = models, models[0].Edge.all[0]
+    assert (proxy_uri(edge.source), rules(w), rules(v)) == (link, [("RS609", 4)], [("RS609", 4)])
+    ok: Any = session.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
+    assert (edge.source, list(edge.source.out)) == (ok.Node.all[1], [edge])
+    assert (rules(w), rules(v), asked[0]) == ([], [("RS609", 4)], (link, "w.xmi"))
+    assert session.save_all() == []
+    assert {file: file.read_bytes() for file in before} == before
+    edge.source.name = "renamed"
+    assert session.save_all() == [folder / "ok.xmi"]
+
+
+def test_what_a_hook_finds_is_no_fault_of_the_file(folder: Path) -> None:
+    (folder / "w.xmi").write_text((folder / "w.xmi").read_text().replace("ok.xmi#", "app:/#"))
+    (folder / "v.xmi").write_text((folder / "w.xmi").read_text().replace("app:/#", "lost.xmi#"))
+    session = Session(resolve=lambda uri, file, roots: None if gone else ok.Node.all[1])
+    gone = False
+    ok: Any = session.open_model(folder / "ok.xmi", metamodel=folder / "g.ecore")
+    for name in ("w.xmi", "v.xmi"):
+        gone = False
+        for strict in (False, True):
+            model: Any = session.open_model(folder / name, metamodel=folder / "g.ecore", strict=strict)
+            assert (model.Edge.all[0].source, rules(model)) == (ok.Node.all[1], [])
+        gone = True
+        with pytest.raises((ModelError, SourceError), match=r"app:/|lost\.xmi"):
+            session.open_model(folder / name, metamodel=folder / "g.ecore", strict=True)
 
 
 @pytest.mark.parametrize("uri", ["pathmap://LIB/", "platform:/plugin/org.lib/", "http://example.org/models/"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -68,6 +69,7 @@ def run(arguments: _Arguments) -> Report:
     if arguments.store is not None or any((arguments.model / name).is_file() for name in CORPUS):
         return _over_corpus(arguments)
     from robosmi.model.ecore.metamodel import Metamodel
+    from robosmi.model.elements.driver import AmbiguousTypeWarning
     from robosmi.model.emf import EmfModel
     from robosmi.model.opening import open_model
     from robosmi.query.answers import as_json, as_lines
@@ -91,8 +93,16 @@ def run(arguments: _Arguments) -> Report:
     report.findings += [finding for model in models if isinstance(model, EmfModel) for finding in model.findings]
     views = [ModelView(model) for model in models]
     shown = Shown()
-    with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's
-        value = evaluate(arguments.expression, views, as_json, named_queries())
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always", AmbiguousTypeWarning)
+        with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's
+            value = evaluate(arguments.expression, views, as_json, named_queries())
+    for each in told:
+        if not issubclass(each.category, AmbiguousTypeWarning):
+            warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
+    ambiguous = dict.fromkeys(str(each.message) for each in told if issubclass(each.category, AmbiguousTypeWarning))
+    fix = "name the type with its package or its model"
+    report.findings += [Finding("RS614", Severity.warning, text, fix=fix) for text in ambiguous]
     report.result, report.lines = {"value": value}, as_lines(value)
     return report
 

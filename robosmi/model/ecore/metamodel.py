@@ -11,6 +11,7 @@ wrong values. They may change at any time, so nothing about them is cached here.
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
@@ -21,9 +22,10 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.ecore.metamodels import Metamodels
 from robosmi.model.elements import ecore
 from robosmi.model.elements.containment_order import all_contents, contents
-from robosmi.model.elements.driver import Model, TypeHandle, unknown_type
+from robosmi.model.elements.driver import AmbiguousTypeWarning, Model, TypeHandle, unknown_type
 from robosmi.model.elements.ecore import EClass, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
 from robosmi.model.elements.feature_errors import UnknownFeatureError, literal_error, not_named, value_error
+from robosmi.model.elements.features import as_package
 from robosmi.model.elements.pyecore_internals import is_element, is_static
 from robosmi.model.elements.strict import INTERNAL, Element
 
@@ -53,6 +55,8 @@ class Metamodel(Metamodels):
                 make_strict(package)
         self.epackages = [p if is_element(p) else _generated(p) for p in self.packages]
         self._index: dict[str, EClassifier] = {}
+        self._shared: dict[str, list[EClassifier]] = {}
+        """Names of several classifiers -> all but the first."""
         self.findings: list[Finding] = []
         """What is odd in the .ecore files that it was loaded from."""
 
@@ -143,11 +147,13 @@ class Metamodel(Metamodels):
     def find(self, name: str) -> EClassifier | None:
         """The classifier of that name, simple or with packages, or None; of several with a simple name the first."""
         if name not in self._index:
-            self._index = {}
+            self._index, self._shared = {}, {}
             for path, classifier in self.classifiers():
                 parts = path.split("::")
                 for start in range(len(parts)):
-                    self._index.setdefault("::".join(parts[start:]), classifier)
+                    key = "::".join(parts[start:])
+                    if self._index.setdefault(key, classifier) is not classifier:
+                        self._shared.setdefault(key, []).append(classifier)
         return self._index.get(name)
 
     def literal(self, name: str) -> EEnumLiteral:
@@ -209,6 +215,8 @@ class TypedModel(Model):
     def find_type(self, name: str) -> EClass | None:
         """The EClass of that name, simple or with packages, or None."""
         found = self.metamodel.find(name)
+        if name in self.metamodel._shared:
+            self._tell_ambiguous(name)
         return found if isinstance(found, EClass) else None
 
     def literal(self, name: str) -> EEnumLiteral:
@@ -229,7 +237,36 @@ class TypedModel(Model):
         found = self.metamodel.find(plain) if model in ("", self.name) else None
         if found is None:
             raise unknown_type(name, self.metamodel.names())
+        if plain in self.metamodel._shared:
+            self._tell_ambiguous(plain)
         return TypeHandle(self, found)
+
+    def _tell_ambiguous(self, name: str) -> None:
+        """Warn if elements have a type of that name and are no instances of the first, as they are not in the answer."""
+        said = self._ambiguity(name)
+        if said:
+            warnings.warn(said, AmbiguousTypeWarning, stacklevel=3)
+
+    def _ambiguity(self, name: str) -> str:
+        first, others = self.metamodel.find(name), [one for one in self.metamodel._shared[name] if isinstance(one, EClass)]
+        if not isinstance(first, EClass) or not others:
+            return ""
+        classes = {one.python_class: one for one in others}
+        used: dict[EClass, None] = {}
+        for cls in self._classes_met():
+            if not issubclass(cls, first.python_class):
+                used.update((classes[base], None) for base in cls.__mro__ if base in classes)
+        if not used:
+            return ""
+        paths = {kind: path for path, kind in self.types()}
+        same = len({paths[kind] for kind in (first, *used)}) == 1
+        names = [f"{paths[k]} of '{as_package(k.ePackage).nsURI}'" if same else paths[k] for k in (first, *used)]
+        how = "open each with its own metamodel" if same else f'write all_instances("{paths[first]}"), or m["{paths[first]}"]'
+        return f"the type '{name}' may be any of {', '.join(names)}; the first is used: {how}"
+
+    def _classes_met(self) -> set[type]:
+        """The classes of its elements."""
+        return {element.__class__ for element in self.all_contents()}
 
 
 def find_literal(enumeration: EEnum, label: str) -> EEnumLiteral | None:

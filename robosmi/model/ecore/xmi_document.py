@@ -1,4 +1,4 @@
-"""The data that the parts of the XMI reader share: documents, and the reasons why a file is no document.
+"""The data that the parts of the XMI reader share: documents, what is odd in them, and the reasons why a file is no document.
 
 A document contains the elements of one file and the list of what is still unresolved. Nothing is read or resolved here.
 """
@@ -7,14 +7,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from msgspec import Struct
 
-from robosmi.diagnostics import Finding
+from robosmi.diagnostics import MORE, Finding, Location, Severity
+from robosmi.errors import ModelError
 from robosmi.model.elements.ecore import DynamicEObject, EObject, Package
+from robosmi.model.elements.fragments import own_id
 from robosmi.model.elements.xmi_plan import ClassPlan, FeatureEntry
+
+if TYPE_CHECKING:
+    from robosmi.base.data_text import Json
 
 NO_MODEL = "give a model in XMI"
 """The advice for a file that is no model."""
@@ -91,3 +97,59 @@ class Document(Struct):
     digest: str = ""
     has_more: bool = False
     unsupported: bool = False
+
+
+Oddity = tuple[Location, str, "str | None"]
+"""Its place, its text, the id of its element."""
+
+
+class Oddities:
+    """What is odd in files that were read all the same: one finding of each kind, whose evidence lists all places."""
+
+    def __init__(self) -> None:
+        self._kinds: dict[tuple[str, tuple[str, ...]], tuple[str, Severity, list[Oddity]]] = {}
+
+    def add(
+        self,
+        rule: str,
+        kind: tuple[str, ...],
+        place: Location,
+        text: str,
+        fix: str,
+        severity: Severity = Severity.warning,
+        element: EObject | None = None,
+    ) -> None:
+        """Note one; the element is that which has it."""
+        known = self._kinds.setdefault((rule, kind), (fix, severity, []))
+        identity = None
+        if element is not None:
+            with suppress(ModelError):  # the attribute is derived, and no code computes it
+                identity = own_id(element)
+        known[2].append((place, text, identity))
+
+    def drop(self, rule: str, kind: tuple[str, ...], place: Location, text: str) -> None:
+        """Forget one, which is no longer so."""
+        _, _, same = self._kinds.get((rule, kind), ("", Severity.warning, []))
+        same[:] = [each for each in same if each[:2] != (place, text)]
+        if not same:
+            self._kinds.pop((rule, kind), None)
+
+    def kinds(self) -> list[tuple[str, tuple[str, ...]]]:
+        """The rules and kinds of which there is one."""
+        return list(self._kinds)
+
+    def drop_kind(self, rule: str, kind: tuple[str, ...]) -> None:
+        """Forget all of a kind."""
+        self._kinds.pop((rule, kind), None)
+
+    def findings(self) -> list[Finding]:
+        """One of each kind, in the order in which they were met."""
+        made = []
+        for (rule, _), (fix, severity, same) in self._kinds.items():
+            place, text, element = same[0]
+            more: dict[str, Json] = {}
+            if len(same) > 1:
+                text = f"{text} (and {len(same) - 1} more of this kind)"
+                more[MORE] = [{"location": at.to_json(), "element": one, "message": said} for at, said, one in same[1:]]
+            made.append(Finding(rule, severity, text, place, element, fix, more))
+        return made

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias, TypeGuard
 
-from robosmi.errors import ModelError, did_you_mean
+from robosmi.errors import ModelError, did_you_mean, some_of
 from robosmi.model.elements import structure
 from robosmi.model.elements.ecore import DynamicEObject, EClass, EClassifier, EEnum, EEnumLiteral, EObject, Scalar
 from robosmi.model.elements.feature_errors import LABELS, not_named
@@ -40,6 +40,10 @@ class UnknownTypeError(ModelError, AttributeError):
     """A type name that no model knows."""
 
 
+class AmbiguousTypeWarning(UserWarning):
+    """A type name that several models or packages have; the first counts."""
+
+
 class ReadOnlyError(ModelError, AttributeError):
     """A change of a model that cannot be changed."""
 
@@ -47,7 +51,7 @@ class ReadOnlyError(ModelError, AttributeError):
 def unknown_type(name: str, known: Iterable[str]) -> UnknownTypeError:
     """The error for a type that is not there, with the nearest that is."""
     names = sorted(set(known))
-    fix = f"use one of: {', '.join(names[:40])}" if names else "query inside `with Run(model):`"
+    fix = f"use one of: {some_of(names, name, 40)}" if names else "query inside `with Run(model):`"
     return UnknownTypeError(f"there is no type '{name}'{did_you_mean(name, names)}", fix=fix)
 
 

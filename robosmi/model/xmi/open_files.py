@@ -38,6 +38,13 @@ class OpenModel(Protocol):
         """All of its elements."""
 
 
+class UnresolvedLinks(Protocol):
+    """References that lead nowhere yet."""
+
+    def ask_again(self) -> bool:
+        """Ask the hook again for each; returns whether something is left."""
+
+
 Hook: TypeAlias = Callable[[str, Path, list[DynamicEObject]], DynamicEObject | None]
 """The URI of a reference that leads nowhere, the file that has it, its root elements -> the element that is meant, or None."""
 
@@ -53,12 +60,17 @@ class OpenFiles:
     def __init__(self, resolve: Hook | None = None, uris: Mapping[str, str | Path] | None = None) -> None:
         self.hook = resolve
         self.uris = dict(uris or {})
+        self.openings = 0
         self._models: dict[Path, OpenModel] = {}
         self._read: dict[Path, tuple[Document, str]] = {}
+        self._waiting: list[OpenDocuments] = []
+        self._asks = False
 
     def documents(self, path: Path) -> OpenDocuments:
         """What a file that is opened now may refer to; nothing when it is open already, as it is then read a second time."""
-        return OpenDocuments(self if path not in self._models else OpenFiles(self.hook, self.uris))
+        made = OpenDocuments(self if path not in self._models else OpenFiles(self.hook, self.uris))
+        made.asked = self.openings
+        return made
 
     def packages(self) -> Metamodels:
         """The built-in metamodels, and those of the models that are open."""
@@ -72,13 +84,32 @@ class OpenFiles:
         packages = [(root.eClass.ePackage, known.get(root.eClass.ePackage.nsURI)) for root in found.roots]
         return found if all(own is not None and as_package(own) is package for package, own in packages) else None
 
-    def add(self, path: Path, model: OpenModel, documents: Mapping[Path, Document]) -> None:
+    def add(self, path: Path, model: OpenModel, documents: Mapping[Path, Document], opened: OpenDocuments | None = None) -> None:
         """Note a model and the files that were read with it."""
         self._models[path] = model
         self._read.pop(path, None)
         for place, document in documents.items():
             if place not in self._models:
                 self._read[place] = document, _digest(place)
+        self.openings += 1
+        if opened is not None and opened.waiting is not None:
+            if opened.asked == self.openings - 1:  # no other file came between
+                opened.asked = self.openings
+            self._waiting.append(opened)
+
+    def ask_again(self) -> None:
+        """Ask the hook again for what it did not find before further files were opened."""
+        if self._asks:  # the hook has opened a file, and the loop that asks it goes on
+            return
+        self._asks = True
+        try:
+            while behind := [each for each in self._waiting if each.asked < self.openings]:
+                for each in behind:
+                    each.asked = self.openings
+                    if each.waiting is None or not each.waiting.ask_again():
+                        self._waiting.remove(each)
+        finally:
+            self._asks = False
 
     def forget(self, path: Path) -> OpenModel | None:
         """Let a file be none of the open ones; returns its last model."""
@@ -125,6 +156,10 @@ class OpenDocuments:
         self._files = files if files is not None else OpenFiles()
         self.hook, self.uris = self._files.hook, self._files.uris
         self._found: dict[Path, Document | None] = {}
+        self.asked = 0
+        """How many files had been opened when the hook was asked last."""
+        self.waiting: UnresolvedLinks | None = None
+        """What asks it again, where references are left that lead nowhere."""
 
     def get(self, path: Path) -> Document | None:
         """The elements of an open file, or None."""

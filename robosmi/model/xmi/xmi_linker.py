@@ -210,9 +210,39 @@ class XmiLinker:
             if add_silently(many, target):
                 compact_slots.note_link(target, (owner, entry.feature))
 
+    @staticmethod
+    def has_target(owner: EObject, entry: FeatureEntry, target: EObject) -> bool:
+        """Whether an element refers to another one by a feature."""
+        slot = owner.__dict__.get(entry.key)
+        if slot is None or not entry.many:
+            return slot is not None and target_in(slot) is target
+        return any(each is target for each in slot)
+
+    def replace(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, proxy: EObject, found: EObject) -> bool:
+        """Put an element in the place of the proxy that stands for it, if it fits; `finish` must follow."""
+        if not entry.takes(found.__class__):
+            return False
+        if entry.back is not None and not entry.back.many:
+            slot = found.__dict__.get(key_of(entry.back))
+            if slot is not None and target_in(slot) not in (None, owner):
+                return False
+        if entry.many:
+            many = owner.__dict__[entry.key]
+            items = [found if each is proxy else each for each in many]
+            fill_silently(many, list(dict.fromkeys(items)) if many.__class__ is FeatureOrderedSet else items)
+        else:
+            owner.__dict__[entry.key] = new_slot(ReferenceValue, owner, entry.feature, found)
+        self._kept.add((id(owner), id(found)))
+        if entry.back is None:
+            compact_slots.note_link(found, (owner, entry.feature))
+        else:
+            self._two_sided.append((document, line, owner, entry, [found]))
+        return True
+
     def finish(self) -> None:
         """Make both sides of all opposites agree."""
-        for document, line, owner, entry, targets in self._two_sided:
+        two_sided, self._two_sided = self._two_sided, []
+        for document, line, owner, entry, targets in two_sided:
             back = entry.back
             if back is None:
                 continue

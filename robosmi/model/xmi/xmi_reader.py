@@ -12,14 +12,14 @@ import re
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import unquote
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.ecore.metamodels import OWN_NAMESPACES, Metamodels, built_in
-from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Unreadable
+from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Oddities, Unreadable
 from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import (
     UNBOXED_TYPES,
@@ -77,27 +77,6 @@ class UnreadableModelError(SourceError):
         self.problems = problems
         more = f"; there are {len(problems)} problems:\n{_listed(problems)}" if len(problems) > 1 else ""
         super().__init__(f"{text}{more}", location=location, fix=fix)
-
-
-class Oddities:
-    """What is odd in files that were read all the same: one finding of each kind, with its first place and their number."""
-
-    def __init__(self) -> None:
-        self._kinds: dict[tuple[str, tuple[str, ...]], list[Any]] = {}
-
-    def add(
-        self, rule: str, kind: tuple[str, ...], place: Location, text: str, fix: str, severity: Severity = Severity.warning
-    ) -> None:
-        """Note one."""
-        known = self._kinds.setdefault((rule, kind), [0, place, text, fix, severity])
-        known[0] += 1
-
-    def findings(self) -> list[Finding]:
-        """One of each kind, in the order in which they were met."""
-        return [
-            Finding(rule, severity, text if number == 1 else f"{text} (and {number - 1} more of this kind)", place, fix=fix)
-            for (rule, _), (number, place, text, fix, severity) in self._kinds.items()
-        ]
 
 
 def _listed(problems: Problems) -> str:
@@ -184,6 +163,10 @@ def read_documents(
         raise DamagedModelError(reader.sorted_problems(), any(each.unsupported for each in reader.documents.values()))
     if (first := next(iter(reader.documents.values()), None)) is not None:
         first.findings = reader.odd.findings()
+        if opened is not None and reader.unresolved:
+            reader.findings = first.findings
+            reader.told = [*first.findings]
+            opened.waiting = reader
     return reader.documents
 
 
@@ -199,6 +182,19 @@ def read_alone(path: Path, data: bytes, metamodels: Metamodels) -> Document | No
         document = reader.open(path, None)
         reader.link()
     return document if isinstance(document, Document) and reader.fatal is None and not reader.problems else None
+
+
+class _Unresolved(NamedTuple):
+    """A reference for which the hook found nothing, and the finding about it."""
+
+    document: Document
+    link: str
+    line: int
+    owner: EObject
+    entry: FeatureEntry
+    proxy: EObject
+    kind: tuple[str, ...]
+    text: str
 
 
 class _Reader:
@@ -220,6 +216,14 @@ class _Reader:
         self._refused: set[Path] = set()
         self._opened: dict[tuple[Path, str], Any] = {}
         self._mapped: set[tuple[Path, str]] = set()
+        self._not_there: dict[tuple[Path, str], Callable[[], object]] = {}
+        """What says that a file which a link names is not there, if the hook does not find what the link leads to."""
+        self._led: set[tuple[Path, str]] = set()
+        self._lost: set[tuple[Path, str]] = set()
+        self._of_files: dict[str, list[tuple[str, tuple[str, ...]]]] = {}
+        self.unresolved: list[_Unresolved] = []
+        self.findings: list[Finding] = []
+        self.told: list[Finding] = []
 
     def sorted_problems(self) -> Problems:
         """The problems of each file in the order of its lines, files in the order in which they were opened."""
@@ -405,6 +409,36 @@ class _Reader:
         for document in self.documents.values():
             linker.link(document)
         linker.finish()
+        for key, report in self._not_there.items():
+            if key in self._lost or key not in self._led:
+                before = self.odd.kinds()
+                report()
+                self._of_files[key[1]] = [kind for kind in self.odd.kinds() if kind not in before]
+        self._linker = linker
+
+    def ask_again(self) -> bool:
+        """Ask the session's hook again for what it did not find, as more files are open; returns whether something is left."""
+        hook = self.opened.hook if self.opened is not None else None
+        left = []
+        for each in self.unresolved:
+            if not self._linker.has_target(each.owner, each.entry, each.proxy):
+                continue  # it was edited
+            found = hook(each.link, each.document.path, each.document.roots) if hook is not None else None
+            if found is None or not self._linker.replace(each.document, each.line, each.owner, each.entry, each.proxy, found):
+                left.append(each)
+                continue
+            preserve_link(each.owner, each.entry.key, found, each.proxy, True)
+            self.odd.drop(UNRESOLVED, each.kind, Location(str(each.document.path), each.line), each.text)
+        self._linker.finish()
+        wanted = {each.link.partition("#")[0] for each in left}
+        for file, kinds in self._of_files.items():
+            if file not in wanted:
+                for rule, kind in kinds:
+                    self.odd.drop_kind(rule, kind)
+        told, self.told = self.told, self.odd.findings()
+        self.findings[:] = [*self.told, *(each for each in self.findings if all(each is not one for one in told))]
+        self.unresolved = left
+        return bool(left)
 
     def find(self, document: Document, uri: str, line: int) -> Any:
         """The document or package that the file part of a reference names, or None with the problem noted."""
@@ -419,15 +453,22 @@ class _Reader:
             if path is not None:
                 self._mapped.add(key)
             path = path or self._local(document.path, uri)
-            if path is not None:
-                found = (self.opened.get(path) if self.opened is not None else None) or self.open(path, location)
-            elif self.strict:
-                self.problems.append((location, f"'{uri}' is no file and no known metamodel"))
-            else:
-                text = f"'{uri}' is no file and no known metamodel"
-                self.odd.add(UNRESOLVED, ("uri", uri), location, text, UNRESOLVED_FIX)
+            found = self.opened.get(path) if self.opened is not None and path is not None else None
+            if found is None:
+                report = partial(self.open, path, location) if path is not None else partial(self._no_file, uri, location)
+                if self.opened is not None and self.opened.hook is not None and (path is None or not path.exists()):
+                    self._not_there[key] = report
+                else:
+                    found = report()
         self._opened[key] = found
         return found
+
+    def _no_file(self, uri: str, location: Location) -> None:
+        text = f"'{uri}' is no file and no known metamodel"
+        if self.strict:
+            self.problems.append((location, text))
+        else:
+            self.odd.add(UNRESOLVED, ("uri", uri), location, text, UNRESOLVED_FIX)
 
     def mapped(self, path: Path, uri: str) -> Path | None:
         """The file of a URI by the session's mapping, or of `platform:/...` by the folders above the file; None for none."""
@@ -444,8 +485,10 @@ class _Reader:
         self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, why: str
     ) -> DynamicEObject | None:
         """What stands for the target of a reference that leads nowhere: what the session's hook gives, or a proxy."""
-        if self.opened is not None and self.opened.hook is not None and why in ("", LEADS_NOWHERE):
+        asked = self.opened is not None and self.opened.hook is not None and why in ("", LEADS_NOWHERE)
+        if asked and self.opened is not None and self.opened.hook is not None:
             found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
+            (self._lost if found is None else self._led).add((document.path, link.partition("#")[0]))
             if found is not None:
                 preserve_link(owner, entry.key, found, self.proxy(document, link, entry), True)
                 return found
@@ -455,10 +498,14 @@ class _Reader:
                 self.problems.append((place, f"{name}: '{link}' {why}"))
             return None
         kind = link.partition("#")[0] if "#" in link else ""
+        text = f"{name}: '{link}' {why}"
         if why:  # else why its file was not read is reported already
             fix = UNRESOLVED_FIX if kind and why == LEADS_NOWHERE else _LOCAL_FIX
-            self.odd.add(UNRESOLVED, (name, kind), place, f"{name}: '{link}' {why}", fix)
-        return self.proxy(document, link, entry)
+            self.odd.add(UNRESOLVED, (name, kind), place, text, fix, element=owner)
+        proxy = self.proxy(document, link, entry)
+        if asked and not entry.feature.containment:
+            self.unresolved.append(_Unresolved(document, link, line, owner, entry, proxy, (name, kind), text))
+        return proxy
 
     def preserve_mapped(self, document: Document, link: str, owner: EObject, entry: FeatureEntry, found: EObject) -> bool:
         """Keep the text of a link whose file was found by a mapping: the file's own path says less than it."""
@@ -490,14 +537,14 @@ class _Reader:
                     if number < lower:
                         wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
                         text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"
-                        self.out_of_bounds(Location(place, line), (plan.name, name, "few"), text)
+                        self.out_of_bounds(Location(place, line), (plan.name, name, "few"), text, element)
                     elif 1 < upper < number:
                         text = f"{plan.name}.{name} takes {upper} values, not {number}"
-                        self.out_of_bounds(Location(place, line), (plan.name, name, "many"), text)
+                        self.out_of_bounds(Location(place, line), (plan.name, name, "many"), text, element)
 
-    def out_of_bounds(self, place: Location, kind: tuple[str, ...], text: str) -> None:
+    def out_of_bounds(self, place: Location, kind: tuple[str, ...], text: str, element: EObject) -> None:
         """Note that an element has too few or too many values."""
         if self.strict:
             self.problems.append((place, text))
         else:
-            self.odd.add(BOUNDS, kind, place, text, "correct the model, or the bounds in its metamodel")
+            self.odd.add(BOUNDS, kind, place, text, "correct the model, or the bounds in its metamodel", element=element)
