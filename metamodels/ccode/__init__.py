@@ -1778,6 +1778,8 @@ class Lambda(UnknownExpression):
 
     parameters: MutableSequence[Parameter] = EReference(upper=-1, containment=True)
     """Its parameters."""
+    captures: MutableSequence[Variable] = EReference(upper=-1, containment=True)
+    """The variables of its own that its captures declare: `[k = n + 1]`, `[&k = n]`."""
 
     if TYPE_CHECKING:
 
@@ -1793,6 +1795,7 @@ class Lambda(UnknownExpression):
             text: str | None = None,
             body: Block | None = None,
             parameters: Iterable[Parameter] | None = None,
+            captures: Iterable[Variable] | None = None,
         ) -> None: ...
 
 
@@ -1883,6 +1886,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     UnknownExpression.body.eType = Block
     ConstructorCall.arguments.eType = Expression
     Lambda.parameters.eType = Parameter
+    Lambda.captures.eType = Variable
     Program.units.eOpposite = SourceUnit.program
     Macro.uses.eOpposite = MacroUse.macro
     Declaration.references.eOpposite = NameReference.target

@@ -296,12 +296,17 @@ class Bench(ABC):
             for pin in dict.fromkeys(use.pins.values()):
                 self._at_pin.setdefault(pin, []).append(device)
             if device.address is not None:
-                if device.address in self._on_bus:
+                place = self.place_on_bus(device, device.address)
+                if place in self._on_bus:
                     raise UsageError(f"two devices have the address {device.address:#x} on the bus", fix="change one of them")
-                self._on_bus[device.address] = device
+                self._on_bus[place] = device
         self.brief = frozenset(brief) - self.heeded
         for device in self._devices:
             device.start()
+
+    def place_on_bus(self, device: Device, address: int) -> int:
+        """What the bus calls a device: its address, unless the bench has several buses."""
+        return address
 
     @property
     def heeded(self) -> frozenset[str]:

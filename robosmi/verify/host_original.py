@@ -63,7 +63,7 @@ class HostOriginal(Struct, frozen=True):
     @property
     def store_bytes(self) -> int:
         """How many bytes of the board's memory are told apart."""
-        return self.program.store_bytes
+        return self.program.store_bytes or 0
 
     @property
     def second_s(self) -> float:

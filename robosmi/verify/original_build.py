@@ -99,7 +99,8 @@ class OriginalProgram(Struct, frozen=True):
         counters: where each function's coverage counters are in the data that a run leaves.
         data_bytes: the size of that data.
         store_bytes: how many bytes of the board's memory that it keeps without power are told apart; what lies beyond is recorded
-            at its address modulo this number, as on a target with less memory. All if 0.
+            at its address modulo this number, as on a target with less memory. All if 0; None if the program may use the pins of
+            that memory itself.
     """
 
     binary: Path
@@ -111,7 +112,7 @@ class OriginalProgram(Struct, frozen=True):
     stubbed: tuple[str, ...]
     counters: tuple[Counters, ...]
     data_bytes: int
-    store_bytes: int = 0
+    store_bytes: int | None = None
 
 
 def build_original(

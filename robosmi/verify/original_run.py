@@ -8,6 +8,7 @@ find out whether its behaviour depends on them.
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
 import select
@@ -22,7 +23,7 @@ from typing import TypeVar
 
 from robosmi.base.data_text import as_list, as_whole
 from robosmi.errors import UsageError
-from robosmi.verify.bench import ADDRESSES, AIMS, WRITTEN, Bench, Level, device_class
+from robosmi.verify.bench import ADDRESSES, AIMS, WRITTEN, Bench, Device, Level, device_class
 from robosmi.verify.original import OriginalRun, Variation
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.sandbox import refusal
@@ -78,7 +79,7 @@ def run_original(
     own = _boards_own(program, devices)
     store = program.model.devices[program.model.store] if program.model.store is not None else None
     if store in own:
-        bench.store_in(len(devices) + own.index(store), program.store_bytes)
+        bench.store_in(len(devices) + own.index(store), program.store_bytes or 0)
     bench.connect([*devices, *own], brief)
     command = program.launcher.command(program.binary, max(1, math.ceil(limit_s)))
     with ending_with_us(
@@ -98,9 +99,13 @@ def run_original(
 
 
 def _boards_own(program: OriginalProgram, devices: Sequence[DeviceUse]) -> list[DeviceUse]:
-    """The devices that the board has by itself, but for those whose address on the bus is taken."""
+    """The devices that the board has by itself, but for those whose address on the bus is taken.
+
+    The memory on pins that the program does not use itself is on a bus of its own, where no address is taken.
+    """
     taken = {_address(use) for use in devices} - {None}
-    return [use for use in program.model.devices if _address(use) not in taken]
+    apart = program.model.store if program.store_bytes is not None else None
+    return [use for number, use in enumerate(program.model.devices) if number == apart or _address(use) not in taken]
 
 
 def _address(use: DeviceUse) -> object:
@@ -291,6 +296,8 @@ _GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD, _DECAY = range(8)
 LET_GO = 2
 LEVELS: tuple[Level, ...] = (0, 1, "z")
 """What the process calls 0, 1 and 2."""
+_STORE_BUS = 0x80
+"""A bit above the 7 of an address: that of a device on the pins of the board's own memory."""
 _MOST_DECAYS = 1024
 """So many the process can keep of all pins."""
 NEVER = (1 << 62) - 1
@@ -349,7 +356,9 @@ class HostBench(Bench):
         self._waves_have_edges = model.waves_have_edges
         self.tick = 0
         self.next_wake = NEVER
-        self._addressed: dict[int, int] = {}  # bus -> address
+        self._addressed: dict[int, int] = {}  # bus -> what the bench calls the device there
+        pins = sorted(self.numbers[label] for label in model.store_pins)
+        self._store_buses = {scl << 5 | sda for scl, sda in itertools.permutations(pins, 2)}
         self._with_charge: set[str] = set()
         self._memory: int | None = None
         self._decays = 0
@@ -369,6 +378,14 @@ class HostBench(Bench):
         super().store(address, content)
         if self._memory is not None:
             self._devices[self._memory].restore(address, content)
+
+    def place_on_bus(self, device: Device, address: int) -> int:
+        """That memory is on a bus of its own, so that a device on other pins may have its address."""
+        return address | _STORE_BUS if device.number == self._memory and self._store_buses else address
+
+    def _place(self, bus: int, address: int) -> int:
+        own = address | _STORE_BUS
+        return own if bus in self._store_buses and own in self._on_bus else address
 
     def record_stored(self) -> None:
         """Tell what the program has stored from what else devices have noticed."""
@@ -500,8 +517,8 @@ class HostBench(Bench):
             self.next_wake = NEVER if due is None else due
             return 0
         if kind == _BUS_START:
-            self._addressed[a] = b >> 1
-            return int(self.bus_start(_byte(b) >> 1, bool(b & 1)))
+            self._addressed[a] = place = self._place(a, _byte(b) >> 1)
+            return int(self.bus_start(place, bool(b & 1)))
         if kind == _BUS_WRITE:
             return int(self.bus_write(self._addressed.get(a, -1), _byte(b)))
         if kind == _BUS_READ:

@@ -159,7 +159,86 @@ class Declarations:
         self._functions.append(f"m{name}({{}}).{self._random.choice(('pin', 'more[0]', 'more[1]'))}")
         self._scopes[0].append(f"r{name}.pin")
 
+    def mask(self) -> None:
+        """A variable, a function, a table or a structure whose bits go to registers."""
+        name, n, pick = self._name("k"), self._number(12), self._random
+        use = pick.choice(("DIRA |= {};", "OUTA |= {};", "DIRA = {};", "OUTA ^= {};"))
+        form = pick.choice(
+            [
+                f"unsigned m{name} = 1 << {n};\n"
+                f"int {name}(int x) {{ m{name} |= 1u << (x & 15); {use.format('m' + name)} return x; }}",
+                f"unsigned b{name}(int x) {{ return 1u << (x & 15); }}\n"
+                f"int {name}(int x) {{ {use.format(f'b{name}(x) | b{name}({n})')} return x; }}",
+                f"const unsigned char t{name}[4] = {{1, {n}, 2, 6}};\n"
+                f"int {name}(int x) {{ {use.format(f't{name}[x & 3] << {n}')} return x + 1; }}",
+                f"struct {name} {{ unsigned mask; int next; }} a{name} = {{1 << {n}, 4}}, b{name} = {{.mask = 2, .next = {n}}};\n"
+                f"int {name}(int x) {{ struct {name} t = x & 1 ? a{name} : b{name}; t.mask <<= 1; "
+                f"{use.format(f't.mask | a{name}.mask')} a{name} = t; return t.next; }}",
+                f"int {name}(int x) {{ for (unsigned m = 1 << {n}; m < 1 << {n + 3}; m <<= 1) {use.format('m')} return x; }}",
+            ]
+        )
+        self._top.append(form)
+        self._functions.append(f"{name}({{}})")
+
+    def bytes_(self) -> None:
+        """A structure that is copied, cleared or walked through by its bytes."""
+        name, n = self._name("B"), self._number()
+        form = self._random.choice(
+            [
+                f"memset(&a{name}, 0, sizeof a{name});",
+                f"memcpy(&a{name}, &b{name}, sizeof a{name});",
+                f"memcpy(&a{name}, r{name}, sizeof a{name});",
+                f"int *p = (int *)&a{name}; p[x & 1] = {n};",
+                f"void *v = &a{name}; int *p = (int *)v; *p = {n};",
+                f"int *p = &a{name}.pin; *++p = {n};",
+                f"struct {name} t = a{name}; a{name} = b{name}; b{name} = t;",
+                f"struct {name} *p = &a{name}; *p = b{name}; p->pin += 1;",
+            ]
+        )
+        self._top += [
+            "#include <string.h>",
+            f"struct {name} {{ int pin, next; }} a{name} = {{{n}, 4}}, b{name} = {{{self._number()}, 5}};",
+            f"int r{name}[2] = {{{self._number()}, {self._number()}}};",
+            f"int f{name}(int x) {{ {form} high(a{name}.pin); low(a{name}.next); return x; }}",
+        ]
+        self._functions.append(f"f{name}({{}})")
+
     # Only in C++
+
+    def capture(self) -> None:
+        """A lambda within a function, which changes or copies a variable of the function."""
+        name, n = self._name("cl"), self._number(6)
+        form = self._random.choice(
+            [
+                f"auto f = [&own = a](int y) {{ own += y; }}; f({n}); high(a);",
+                f"auto f = [own = a + {n}](int y) {{ high(own); return own + y; }}; low(f(1));",
+                f"auto f = [a]() mutable {{ a += {n}; high(a); }}; f(); f(); low(a);",
+                f"auto f = [&](auto y) {{ a = y + {n}; return a; }}; high(f(x & 3)); low(a);",
+                f"[&] {{ a = {n}; }}(); high(a);",
+                f"auto f = [=](int y) {{ return a + y; }}; a = {n}; high(f(2)); low(a);",
+            ]
+        )
+        self._top.append(f"int {name}(int x) {{ int a = x & 7; {form} return a; }}")
+        self._functions.append(f"{name}({{}})")
+
+    def iterator(self) -> None:
+        """A class with iterators of its own, or an operator that gives a reference."""
+        name, n = self._name("It"), self._number(9)
+        form = self._random.choice(
+            [
+                f"struct {name} {{ int t[3] = {{{n}, 4, 6}}; int *begin() {{ return t; }} int *end() {{ return t + 3; }} }};\n"
+                f"int f{name}(int x) {{ {name} r; for (int &p : r) {{ high(p); p += x & 1; }} return r.t[1]; }}",
+                f"struct {name} {{ int i; int operator*() const {{ return i; }} {name} &operator++() {{ i += 2; return *this; }} "
+                f"bool operator!=(const {name} &o) const {{ return i < o.i; }} }};\n"
+                f"int f{name}(int x) {{ for ({name} i = {{{n}}}; i != {name}{{{n + 5}}}; ++i) high(*i); return x; }}",
+                f"struct {name} {{ int t[4]; int &operator[](int i) {{ return t[i]; }} }} o{name} = {{{{{n}, 1, 2, 3}}}};\n"
+                f"int f{name}(int x) {{ o{name}[x & 3] = {n}; high(o{name}[1]); return o{name}.t[2]; }}",
+                f"template <class T> void s{name}(T &a, T &b) {{ T t = a; a = b; b = t; }}\n"
+                f"int f{name}(int x) {{ int a = {n}, b = x & 7; s{name}(a, b); high(a); low(b); return a; }}",
+            ]
+        )
+        self._top.append(form)
+        self._functions.append(f"f{name}({{}})")
 
     def reference(self) -> None:
         name, variable, n = self._name("x"), self._name("g"), self._number(4)
@@ -301,9 +380,11 @@ COMMON = (
     Declarations.global_variable, Declarations.array, Declarations.table, Declarations.structure, Declarations.union,
     Declarations.enumeration, Declarations.macro, Declarations.macro, Declarations.function, Declarations.function,
     Declarations.function, Declarations.out_parameter, Declarations.function_pointer, Declarations.structure_parameter,
+    Declarations.mask, Declarations.mask, Declarations.bytes_,
 )  # fmt: skip
 ONLY_CPP = (
     Declarations.reference, Declarations.default_argument, Declarations.template, Declarations.class_, Declarations.class_,
     Declarations.lambda_, Declarations.namespace, Declarations.overload, Declarations.constant, Declarations.scoped,
     Declarations.list_of_values, Declarations.conversion,
+    Declarations.capture, Declarations.capture, Declarations.iterator,
 )  # fmt: skip

@@ -9,7 +9,7 @@ import pytest
 
 from robosmi.verify.original_run import HostBench, run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
-from tests.host_model.bench import built, ended, run, said
+from tests.host_model.bench import built, ended, original, run, said
 from tests.tools import require_tools
 
 SAY = '#define SAY(value) print("%d ", value)\n'
@@ -347,6 +347,28 @@ def test_two_buses_at_other_pins_do_not_meet() -> None:  # a cog asks a sensor w
     seen = run(TWO_BUSES, 1000, [use]).trace
     assert seen.text == "asked"
     assert [event.value for event in seen.device_events if event.device == 0] == [[0x20, 0x1F]]
+
+
+def test_another_memory_on_other_pins_may_have_the_address_of_the_boards_own() -> None:
+    text = """
+#include "simpletools.h"
+int main() {
+  unsigned char out[] = {7, 8}, in[2];
+  i2c *bus = i2c_newbus(10, 11, 0);
+  i2c_out(bus, 0x50, 0x8000, 2, out, 2);
+  while (i2c_busy(bus, 0x50)) pause(1);
+  ee_putByte(9, 0x8000);
+  i2c_in(bus, 0x50, 0x8000, 2, in, 2);
+  print("%d %d %d", in[0], in[1], ee_getByte(0x8000));
+}"""
+    memory = [DeviceUse("eeprom", {}, {"address": 0x50})]
+    with original(text) as program:
+        trace = program.with_store_bytes(0).run(500_000, memory).trace  # no port of it is on the board's own memory
+        shared = program.run(500_000, memory).trace  # it may be: then what the scenario connects takes the place of that memory
+    assert trace.text == "7 8 9"
+    assert [event.value for event in trace.device_events] == [[0x8000, 7], [0x8001, 8]]
+    assert [(each.address, each.byte) for each in trace.stored] == [(0x8000, 9)]
+    assert shared.text == "9 8 9"
 
 
 def test_the_board_has_an_eeprom_that_is_busy_while_it_writes() -> None:  # eeprom_*.c

@@ -63,11 +63,14 @@ def test_the_default_profile_names_board_and_libraries() -> None:
         ("profiles:\n  only:\n    fqbn: a:b:c\n", "a:b:c"),
         ("default_fqbn: 'a:b:c'\n", "a:b:c"),
         ("profiles:\n  x:\n    fqbn: a:b:c\n  y:\n    fqbn: a:b:d\n", None),
+        ("profiles:\n  x:\n    fqbn:   # to do\n    libraries:\ndefault_profile: x\n", ""),  # no board has that name
+        ("default_profile:\ndefault_fqbn:\n", ""),
         ("---\n# nothing\n", None),
     ],
 )
 def test_the_board_of_other_project_files(tmp_path: Path, text: str, board: str | None) -> None:
-    assert project_file(tmp_path, text).board == board
+    read = project_file(tmp_path, text)
+    assert (read.board, read.libraries) == (board, {})
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
     """The value of an argument is one that the adapter can handle."""
     m, arguments = the_move(), list(c.arguments)
     for one in sorted(_ranges(c), key=lambda each: int(each.most) - int(each.least)):  # the limit that holds, not the widest one
-        if one.position >= len(arguments) or (one.awayFrom and _reaches(c, one.awayFrom, m)):
+        if one.position >= len(arguments) or (one.awayFrom and _reaches(c, one.awayFrom, m)) or _is_alone(c, one, m):
             continue
         outside = sorted(n for n in _numbers(arguments[one.position], one, m) if not _serves(one, n))
         if outside:
@@ -46,6 +46,16 @@ def _numbers(argument: ccode.Expression, one: platform.ArgumentRange, m: Move) -
     else:
         known = {value.number for value in m.masks.values(argument)}
     return {number for number in known | (m.masks.numbers(argument) or frozenset()) if number is not None}
+
+
+def _is_alone(call: ccode.Call, one: platform.ArgumentRange, m: Move) -> bool:
+    """Whether a range applies only beside a further call of the same function, and there is none that it applies to."""
+    if not one.beside:
+        return False
+    use = next(use for use in m.plan.adapterUses if use.name == call.calleeName and use.adapter is not None)
+    if use.adapter is None or one.beside != f"{use.adapter.sourceHeader}/{use.adapter.name}":
+        return False
+    return all(other is call or (one.awayFrom and _reaches(other, one.awayFrom, m)) for other in use.calls)
 
 
 def _serves(one: platform.ArgumentRange, number: int) -> bool:

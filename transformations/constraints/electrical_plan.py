@@ -15,6 +15,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind, root_of
 from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.finding_locations import drawing, fault, worst_first
+from robosmi.transformations.knowledge.libraries.library_ranking import architecture_facts, library_index
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.connector_names import displayed_name
@@ -424,6 +425,25 @@ def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
         if pin in library.pins and device is not None and device not in own and connection.signal is not migration.Signal.bus:
             return fault(device, f"{library.name}, chosen for {_for(c)}, uses {pin}, but '{who(device)}' is on that pin", pin=pin)
     return True
+
+
+@choices.critique(
+    id="RS274", location=place, guard=lambda c: c.chosen is not None,
+    advice="choose a library that lists the architecture, or none",
+)  # fmt: skip
+def LibraryWorksOnTheBoard(c: migration.LibraryChoice) -> bool | Fail:
+    """Nothing is known against a chosen library on the architecture of the board."""
+    plan, library = of_plan(c), c.chosen
+    assert plan is not None
+    assert library is not None
+    architecture = plan.target.architecture if plan.target is not None else ""
+    if not architecture or architecture in library.architectures or plan.targetDescription is None:
+        return True
+    index = str(plan.targetDescription.libraryIndex)
+    found = library_index(index).library_named(str(library.name)) if index else None
+    why = architecture_facts(index).objection(found, str(architecture)) if found is not None else ""
+    message = f"{library.name}, chosen for {_for(c)}, {why}"
+    return not why or (fault(c.component, message) if c.component is not None else Fail(message))
 
 
 def _for(choice: migration.LibraryChoice) -> str:

@@ -92,7 +92,7 @@ _FACTORS = (
     Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
 """The varied runs: by which factors the costs of the program's steps differ, as they do on another microcontroller."""
-_SCALED = 2
+SCALED = 2
 """Number of varied runs, the first ones, that differ only in the costs of all steps: higher in one, lower in the other."""
 _FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * (seed % 3) / 2) for seed in range(6, 14))
 """Further varied runs for a scenario in which the migrated program differs: with noise, and with inputs moved by other times in
@@ -253,7 +253,7 @@ def compared(
     for runs, theirs in clear[:1] or pairs:
         by_edges = any(event.kind == WAVE and event.pulses for event in theirs)
         own, *varied = [with_joined_tones(events, 1000 * horizon_ms) for events in runs] if by_edges else runs
-        result = compare(channel, with_vague_widths(own, varied[:_SCALED]), theirs, varied, horizon_ms, loop)
+        result = compare(channel, with_vague_widths(own, varied[:SCALED]), theirs, varied, horizon_ms, loop)
         if result.status in (SAME, NOT_EXERCISED):
             return result
         found.append(result)

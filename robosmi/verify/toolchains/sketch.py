@@ -281,7 +281,7 @@ _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")
 
 
 class ProjectEntry(NamedTuple):
-    """A scalar of the file: the keys and list indices that lead to it, its text and its line (from 1)."""
+    """A scalar of the file: the keys and list indices that lead to it, its text (may be empty) and its line (from 1)."""
 
     path: tuple[str | int, ...]
     value: str
@@ -329,6 +329,7 @@ def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
         dict.fromkeys(entry.path[1] for entry in entries if entry.path[0] == keys["profiles"] and len(entry.path) > 2)
     )
     default = by_path.get((keys["default_profile"],))
+    default = default if default and default.value else None
     profile = default.value if default else profiles[0] if len(profiles) == 1 else None
     if default and default.value not in profiles:
         raise SourceError(
@@ -338,7 +339,8 @@ def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
         )
     board = by_path.get((keys["profiles"], profile, keys["board"])) if profile is not None else None
     board = board or by_path.get((keys["default_board"],))
-    libraries = [e.value for e in entries if profile is not None and e.path[:3] == (keys["profiles"], profile, keys["libraries"])]
+    listed = (keys["profiles"], profile, keys["libraries"])
+    libraries = [entry.value for entry in entries if entry.value and entry.path[:3] == listed]
     return ProjectFile(
         path, board.value if board else None, board.line if board else None, dict(_library(each) for each in libraries)
     )
@@ -415,13 +417,13 @@ def parse(text: str, path: Path) -> list[ProjectEntry]:
             if value.startswith(_FLOW):
                 raise refuse(number, f"'{value[:20]}': unsupported YAML style")
             levels.append((indent, key))
-            if value:
-                entries.append(ProjectEntry(key, _unquote(value), number))
+            entries.append(ProjectEntry(key, _unquote(value), number))
         elif _is_item(levels[-1][1]) and not body.startswith(_FLOW):
             entries.append(ProjectEntry(levels[-1][1], _unquote(_scalar(body)), number))
         else:
             raise refuse(number, f"'{body[:40]}' is not a `key: value` line")
-    return entries
+    parents = {entry.path[:depth] for entry in entries for depth in range(1, len(entry.path))}
+    return [entry for entry in entries if entry.path not in parents]
 
 
 def _is_item(path: tuple[str | int, ...]) -> bool:

@@ -109,6 +109,19 @@ def test_a_value_beyond_several_limits_is_told_the_narrowest(tmp_path: Path) -> 
     assert ["245 to 19,200" in str(finding.message) for finding in plan.findings if finding.rule == "RS334"] == [True]
 
 
+@pytest.mark.parametrize(("second", "baud", "said"), [("4, 5", 38400, 2), ("4, 5", 9600, 0), ("31, 30", 38400, 0)])
+def test_two_fast_lines_are_more_than_the_target_serves_at_a_time(second: str, baud: int, said: int, tmp_path: Path) -> None:
+    program = tmp_path / "lines.c"
+    program.write_text(
+        '#include "simpletools.h"\n#include "fdserial.h"\n'
+        f"int main() {{ fdserial_open(2, 3, 0, {baud}); fdserial_open({second}, 0, {baud}); }}\n"
+    )
+    plan = robosmi.plan_migration([program], bind={"P2": "D4", "P3": "D5"}).plan
+    messages = [str(finding.message) for finding in plan.findings if finding.rule == "RS334"]
+    assert len(messages) == said
+    assert all("a line loses bytes while another one is busy" in message for message in messages)
+
+
 @pytest.mark.parametrize("rule", RULES)
 def test_check_of_the_stored_plan_says_the_same(rule: str, tmp_path: Path) -> None:
     path = FOLDER / f"{rule}_fails.c"

@@ -143,6 +143,21 @@ def test_the_pins_of_a_library_that_nothing_uses_are_free(tmp_path: Path) -> Non
     assert "RS265" in {f.rule for f in chosen.findings}
 
 
+def test_a_chosen_library_works_on_the_architecture_of_the_board(tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text('#include "simpletools.h"\nint main(void) { pause(1); }\n')
+    (tmp_path / "wiring.csv").write_text("pin,part,title,connector\nIO25,Servo,arm,signal\n")
+
+    def found(library: str) -> list[str]:
+        hardware, libraries = tmp_path / "wiring.csv", {"arm": library}
+        plan = plan_migration([tmp_path / "robot.c"], target="esp32", hardware=hardware, libraries=libraries).plan
+        return [str(finding.message) for finding in plan.findings if finding.rule == "RS274"]
+
+    (message,) = found("Servo")
+    assert message.startswith("Servo, chosen for 'arm', does not list the architecture esp32")
+    assert "ESP32Servo" in message
+    assert found("ESP32Servo") == []
+
+
 def test_a_plan_without_a_drawing_is_asked_nothing_of_it() -> None:
     folder = PLANS / "RS267_fails"
     plan = plan_migration([folder / "robot.c"], project=Project()).plan

@@ -7,18 +7,39 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.metamodels import ccode
 from tests.fuzz.pin_programs import program
 from tests.fuzz.pins import compared
 from tests.tools import require_tools
 
-PROGRAM = Path(__file__).parent / "computed_pins" / "macro_compares.c"
+PROGRAMS = Path(__file__).parent / "computed_pins"
 
 
-def test_a_number_that_a_macro_compares_stays(tmp_path: Path) -> None:
-    made = robosmi.migrate([PROGRAM], tmp_path, target="uno", bind={"P17": "D9", "P18": "D8"}, dry_run=True)
-    sketch = next(text.decode() for name, text in made.contents.items() if name.endswith(".ino"))
-    assert "pin = MAX(18, 17)" in sketch
-    assert "high(port(pin))" in sketch
+def test_a_number_that_a_macro_compares_stays() -> None:
+    plan = robosmi.plan_migration([PROGRAMS / "macro_compares.c"]).plan
+    text = (PROGRAMS / "macro_compares.c").read_text()
+    used = text.index("high(pin)") + len("high(")
+    changes = [change for flow in plan.portFlows for change in flow.changes]
+    assert {(change.rule, change.startOffset) for change in changes} == {("port-look-up", used), ("port-look-up", used + 3)}
+
+
+@pytest.mark.parametrize("name", ["opened.c", "opened.cpp"])
+def test_what_a_program_may_write_otherwise_than_by_name_is_known_only_at_run_time(name: str) -> None:
+    program = PROGRAMS / name
+    lines = enumerate(program.read_text().splitlines(), 1)
+    plan = robosmi.plan_migration([program]).plan
+    places = (place for finding in plan.findings if finding.rule == "RS327" for place in finding.elements)
+    found = {place.line for place in places if isinstance(place, ccode.Located)}
+    assert sorted(found) == [number for number, line in lines if line.endswith("// ?")]
+
+
+def test_numbers_whose_further_use_is_not_followed_stay() -> None:
+    program = PROGRAMS / "kept.cpp"
+    plan = robosmi.plan_migration([program]).plan
+    numbered = program.read_text().index("enum {"), program.read_text().index("};")
+    changes = [change for flow in plan.portFlows for change in flow.changes]
+    assert len(changes) >= 8
+    assert [change for change in changes if numbered[0] < change.startOffset < numbered[1]] == []
 
 
 @pytest.mark.exhaustive

@@ -78,9 +78,11 @@ def line_follower(examples: Path) -> Any:
     return robosmi.load_hardware(examples / "line_follower" / "line_following_robot.fzz")
 
 
-def decided(circuit: Any, index: LibraryIndex | None, history: History) -> dict[str, migration.LibraryChoice]:
+def decided(
+    circuit: Any, index: LibraryIndex | None, history: History, target: str = "uno"
+) -> dict[str, migration.LibraryChoice]:
     """The choices for all components by their titles, each taken where the ranking is at all sure."""
-    models = LibraryModels(target_facts("uno"), load_board("uno"))
+    models = LibraryModels(target_facts(target), load_board(target))
     if index is not None:
         models.__dict__["index"] = index
     found = library_index() if index is None else index
@@ -100,6 +102,15 @@ def test_what_was_chosen_for_another_platform_is_no_choice_for_this_one(examples
     history.record(servo.partId, title, "ServoEasing", target="uno")
     choice = decided(circuit, None, history)["Basic Servo1"]
     assert (choice.choice, choice.chosenBy) == ("ServoEasing", migration.ChosenBy.history)
+
+
+def test_what_does_not_work_on_the_architecture_is_not_chosen_because_it_was_before(examples: Path, tmp_path: Path) -> None:
+    circuit, history = line_follower(examples), History(tmp_path / "history.sqlite")
+    servo = next(c for c in circuit.components if c.title == "Basic Servo1")
+    for _ in range(3):
+        history.record(servo.partId, servo.partTitle or servo.title, "VarSpeedServo", target="uno")
+    assert decided(circuit, None, history)["Basic Servo1"].choice == "VarSpeedServo"
+    assert decided(circuit, None, history, "uno-r4-minima")["Basic Servo1"].chosenBy is not migration.ChosenBy.history
 
 
 def test_without_any_library_nothing_is_chosen(examples: Path, tmp_path: Path) -> None:

@@ -8,7 +8,13 @@ from typing import cast
 import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
-from robosmi.transformations.verification.judgement.scenario_verdicts import hangs_on_a_pass, longest_pass_ms, looked_at_again
+from robosmi.transformations.verification.judgement.scenario_verdicts import (
+    hangs_on_a_pass,
+    longest_pass_ms,
+    looked_at_again,
+    with_reactions,
+)
+from robosmi.transformations.verification.judgement.side_effects import NO_LEVELS
 from robosmi.transformations.verification.judgement.verdict import verdict_of
 from robosmi.transformations.verification.original_side import SourceRuns, run_source, run_varied
 from robosmi.verify.original import LibraryCall, Original, OriginalRun
@@ -23,6 +29,18 @@ int main() {
     if (input(3)) high(5); else low(5);
     print("lit %d\\n", input(3));
     pause(100);
+  }
+}
+"""
+RELAY = """#include "simpletools.h"
+int main() {
+  int on = 0;
+  while (1) {
+    int now = input(3);
+    if (now && !on) high(5);
+    if (!now && on) { pause(300); low(5); }
+    on = now;
+    pause(50);
   }
 }
 """
@@ -94,3 +112,23 @@ def test_a_pass_is_the_longest_time_between_two_calls_from_one_place() -> None:
     calls = [LibraryCall(1000.0 * at, "input", "p.c", 4) for at in (0, 50, 100, 180, 230, 900)]
     assert longest_pass_ms(calls) == 80.0
     assert longest_pass_ms(calls[:3]) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("wait", "lasts_ms", "verdict"),
+    [(300, 747.0, "no-difference-found"), (300, 797.0, "no-difference-found"), (315, 747.0, "different")],
+    ids=["the same", "a pass later", "5 % longer"],
+)
+def test_a_wait_after_a_contact_is_compared_apart_from_the_pass_in_which_it_is_seen(
+    wait: int, lasts_ms: float, verdict: str
+) -> None:
+    require_tools("gcc", "gcov", "objcopy")
+    asked = scenario(1005.0, 747.0)
+    with original(RELAY) as program, original(RELAY.replace("pause(300)", f"pause({wait})")) as other:
+        runs = run_varied(program, PORTS, asked, run_source(program, PORTS, asked))
+        trace: PinTrace = run_source(other, PORTS, scenario(1005.0, lasts_ms)).trace
+        tolerant = verdict_of(asked, runs, trace, PORTS, True)
+        told = with_reactions(tolerant, program, trace, PORTS, runs, True, NO_LEVELS)
+    assert (tolerant.verdict, told.verdict) == ("no-difference-found", verdict)
+    if told.first is not None:
+        assert told.first.message == "switches off 15.0 ms too late after an input changes (tolerance 8.3 ms)"

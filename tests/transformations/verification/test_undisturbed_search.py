@@ -6,8 +6,8 @@ import pytest
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.search.scenario_goals import UNDISTURBED
-from robosmi.transformations.verification.search.scenario_inputs import press, scenario_inputs
-from robosmi.transformations.verification.search.scenario_search import try_undisturbed
+from robosmi.transformations.verification.search.scenario_inputs import is_steady, press, scenario_inputs
+from robosmi.transformations.verification.search.scenario_search import search, try_undisturbed
 from robosmi.transformations.verification.search.scenario_trials import Trials
 from robosmi.transformations.verification.search.search_effort import SearchEffort
 from tests.host_model.bench import original
@@ -42,3 +42,25 @@ def test_what_a_button_starts_is_watched_until_it_has_waited_often() -> None:
         assert len(trials.found.scenarios) == before + 1
         assert any(place[0] == UNDISTURBED for place in trials.reached_by[-1])
         assert scenario.horizon_ms >= 900 + 6 * 700
+
+
+SWITCHES = """#include "simpletools.h"
+int main() {
+  while (1) {
+    if (input(3)) high(5); else low(5);
+    if (input(4)) high(6); else low(6);
+    pause(30);
+  }
+}
+"""
+
+
+@pytest.mark.processes
+def test_inputs_change_in_a_scenario_though_the_first_such_are_not_repeatable() -> None:
+    require_tools("gcc")
+    ports = [BoundPort(name, name, name, device="levels", pin="pin") for name in ("P3", "P4")]
+    ports += [BoundPort(name, name, name) for name in ("P5", "P6")]
+    with original(SWITCHES) as program:
+        found = search(program, ports, (), False, 1)
+    assert found.racy
+    assert any(not is_steady(scenario.signals) for scenario, _ in found.scenarios)

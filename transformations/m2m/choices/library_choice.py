@@ -20,7 +20,7 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import chosen_from_history
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
-from robosmi.transformations.knowledge.libraries.library_ranking import architecture_facts, library_in, library_index
+from robosmi.transformations.knowledge.libraries.library_ranking import architecture_facts, library_in, library_index, unsuitable
 from robosmi.transformations.knowledge.libraries.library_takes import Takes, library_takes
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
@@ -107,6 +107,11 @@ class LibraryModels(Struct, dict=True):
                     self.get(needed.name)
         return self.elements[name]
 
+    def works(self, name: str) -> bool:
+        """Whether the target has a library, and nothing is known against it on the board's architecture."""
+        chip = self.board.microcontroller
+        return not unsuitable(name, self.target.libraries, str(chip.architecture) if chip is not None else "")
+
     def taken_by(self, library: platform.Library | None) -> list[Takes]:
         """The known hardware resources (timers, pins) that a library and its dependencies occupy."""
         if library is None:
@@ -115,7 +120,7 @@ class LibraryModels(Struct, dict=True):
 
 
 class _OfTarget(Struct, frozen=True):
-    """The history of choices restricted to libraries that the target has; others were chosen for another platform."""
+    """The history of choices restricted to libraries that work on the target; others were chosen for another board."""
 
     history: Choices
     models: LibraryModels
@@ -127,7 +132,7 @@ class _OfTarget(Struct, frozen=True):
         return self._known(self.history.choices_for_model(model))
 
     def _known(self, counts: Mapping[str, int]) -> dict[str, int]:
-        return {name: count for name, count in counts.items() if self.models.index.library_named(name) is not None}
+        return {name: count for name, count in counts.items() if self.models.works(name)}
 
 
 def choose_libraries(
@@ -165,6 +170,7 @@ def choose_libraries(
             by_person[component_named(circuit, name).elementId] = library
             if library and library.lower() != NO_LIBRARY:
                 library_in(models.index, library)
+    usable = _OfTarget(history, models)
     ranked: dict[tuple[object, ...], Recommendation] = {}  # like parts are ranked once
 
     def rank(query: ComponentQuery, weigh_history: bool) -> Recommendation:
@@ -173,7 +179,7 @@ def choose_libraries(
             weigh_history,
         )  # fmt: skip
         if key not in ranked:
-            ranked[key] = ranker.rank(query, history if weigh_history else None, limit)
+            ranked[key] = ranker.rank(query, usable if weigh_history else None, limit)
         return ranked[key]
 
     kept = {
@@ -185,7 +191,7 @@ def choose_libraries(
     by_person = {**{identity: said.value for identity, said in kept.items()}, **by_person}
     listed = list(components)
     listed += [c for c in circuit.components if c.elementId in by_person and c not in listed]
-    made = [_decide(c, by_person.get(c.elementId), rank, models, history, sure) for c in listed]
+    made = [_decide(c, by_person.get(c.elementId), rank, models, usable, sure) for c in listed]
     for choice in made:
         if choice.component is not None:
             explain(choice, kept.get(choice.component.elementId))
@@ -208,7 +214,7 @@ def _decide(
     name = said
     if said:
         by, why = migration.ChosenBy.person, "by flag or in the project file"
-    elif earlier := chosen_from_history(query.part_id, query.title, _OfTarget(history, models)):
+    elif earlier := chosen_from_history(query.part_id, query.title, history):
         name, by, why = earlier, migration.ChosenBy.history, "chosen before for this part"
     elif 0 < recommendation.confidence >= sure:
         by = migration.ChosenBy.rule

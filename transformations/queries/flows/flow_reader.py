@@ -16,9 +16,8 @@ from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.flows.class_pins import constructor_pins, method_pins
-from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, shared_names, statics, type_name
+from robosmi.transformations.queries.flows.classes import Classes, OwnFunctions, member_type, shared_names, statics
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.listed_values import Initialisers, designates, gone_through, listed_types
 from robosmi.transformations.queries.flows.pin_uses import CutNumbers, pin_number
@@ -33,14 +32,19 @@ from robosmi.transformations.queries.flows.pointers import (
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText, passed_to_macros
-from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
+from robosmi.transformations.queries.member_records import (
+    all_fields,
+    has_several_types,
+    record_key,
+    record_of_member,
+    records_of_cast,
+    whole_of_member,
+)
 from robosmi.transformations.queries.own_headers import is_member
 from robosmi.transformations.queries.values import calls_of_value
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
-_ANY = frozenset(["void *", "const void *"])
-"""Pointers to which a record's are converted to hand them on."""
 _DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -215,18 +219,14 @@ class FlowReader:
                     self.flows.join(unknown, other)
         return key
 
-    def _cast(self, cast: ccode.Cast) -> None:
-        """Join the members at equal positions of two records between whose pointers a cast converts.
+    def loosen(self, record: ccode.Record, why: str) -> None:
+        """Let the members of a record, and of the records in it, have any value."""
+        for field in all_fields(record):
+            self.flows.freeze(self._field(str(field.name), record_key(field.eContainer())), why, computed=True)
 
-        A pointer to numbers made of one to a record may read and write all its members.
-        """
+    def _cast(self, cast: ccode.Cast) -> None:
+        """Join the members at equal positions of two records between whose pointers a cast converts."""
         records = records_of_cast(cast)
-        if records is None and cast.target is not None and cast.target.pointerDepth and str(cast.target.spelling) not in _ANY:
-            kind = type_of(cast.operand, {})
-            record = kind.declaration if kind is not None and kind.depth else None
-            if isinstance(record, ccode.Record):
-                for key in (self.value(cast.operand), *(self._field(str(f.name), record_key(record)) for f in record.fields)):
-                    self.flows.freeze(key, f"line {cast.line} casts it", computed=True)
         fields = [record.fields for record in records] if records is not None else []
         for one, other in zip(*fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
@@ -423,11 +423,10 @@ class FlowReader:
     def _one_place(self, union: ccode.Record) -> None:
         """Join the members of a union, which are one place in memory."""
         keys = [self._field(str(field.name), record_key(union)) for field in union.fields]
-        types = {(type_name(field.valueType), field.bitWidth) for field in union.fields}
         for key in keys:
             self.flows.join(keys[0], key)
-            if len(types) > 1:
-                self.flows.freeze(key, "it is a member of a union of several types", computed=True)
+        if has_several_types(union):
+            self.loosen(union, "it is a member of a union of several types")
 
     def _listed(self, values: ccode.InitializerList) -> None:
         """Give the members of a structure what a list without a variable gives them: `(struct led){4, 5}`, `return {4, 5}`.
@@ -513,6 +512,9 @@ class FlowReader:
         for taken in [each.parameters for each in lambdas] + [each.parameters for each in own]:
             for parameter, argument in zip(taken, arguments, strict=False):
                 self._give(self.key(parameter), argument)
+        for each in lambdas if not alone else ():
+            for parameter in each.parameters:
+                self.flows.freeze(self.key(parameter), f"line {call.line} may call something else with it")
         if alone or own:
             return
         if (method := method_pins(self.classes, call, view)) is not None:

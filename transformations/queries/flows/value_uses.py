@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
-from robosmi.query import all_contents, ancestor_of_kind
+from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.class_pins import follows_argument, method_pins
+from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.flow_reader import FlowReader
 from robosmi.transformations.queries.flows.listed_values import gone_through
 from robosmi.transformations.queries.flows.pointers import gives_access
+from robosmi.transformations.queries.member_records import records_as_bytes
 from robosmi.transformations.queries.numbers import COMPARISONS
 
 _LOGICAL = frozenset(["&&", "||"])
@@ -35,6 +37,7 @@ class ValueUses:
     def __init__(self, reader: FlowReader) -> None:
         self.reader = reader
         self._has_macros = any(macro.functionLike for view in reader.views for macro in view.unit.macros)
+        self._has_records = any(view.of_kind(ccode.Record) for view in reader.views)
 
     def follow(self, view: CodeView) -> None:
         """Keep the numbers of all flows of a unit that have a value used in a way that is not followed."""
@@ -43,6 +46,14 @@ class ValueUses:
                 self._use(element, view)
         if self._has_macros:
             self._repeated(view)
+        for each in view.of_kind(ccode.UnknownExpression):
+            self._given_back(each)
+        if view.unit.language == "C++":
+            self._template_arguments(view)
+        for record, element in records_as_bytes(view, self.reader.classes.around, handed_over) if self._has_records else ():
+            why = f"line {element.line} accesses its bytes"
+            self.reader.loosen(record, why)
+            self.reader.flows.freeze(self.reader.value(element), why, computed=True)
 
     def _repeated(self, view: CodeView) -> None:
         """Keep the numbers that a macro uses several times (`MAX(18, 17)`), once in a way that is not followed."""
@@ -56,6 +67,33 @@ class ValueUses:
             whys = [self._why_kept(each, each.eContainer(), view) for each in others if _expansion(each) is None]
             for each in followed if any(whys) else ():
                 self.reader.flows.freeze(self.reader.value(each), next(filter(None, whys)))
+
+    def _given_back(self, made: ccode.UnknownExpression) -> None:
+        """Keep the numbers that a lambda returns or a statement expression ends with: what becomes of them is not followed."""
+        if isinstance(made, ccode.Lambda):
+            values = [statement.value for statement in all_of_kind(made, ccode.Return)]
+        else:
+            last = made.body.statements[-1:] if made.body is not None else []
+            values = [statement.expression for statement in last if isinstance(statement, ccode.ExpressionStatement)]
+        for value in values:
+            if value is not None:
+                self.reader.flows.freeze(self.reader.value(value), f"a lambda or block gives it back (line {value.line})")
+
+    def _template_arguments(self, view: CodeView) -> None:
+        """Keep the numbers of names in arguments of templates (`step<LED>()`), which the code model does not have."""
+        known = {int(reference.startOffset) for reference in view.of_kind(ccode.NameReference)}
+        tokens = self.reader.texts[view.unit.path].tokens
+        opened: list[bool] = []  # of each bracket around a token, whether it may be that of a template
+        for before, (kind, start, _, text) in zip([("", 0, 0, ""), *tokens], tokens, strict=False):
+            if text in (";", "{", "}"):
+                opened = []
+            elif text in ("(", "<"):
+                opened.append(text == "<" and before[0] == "name")
+            elif text in (")", ">") and opened:
+                opened.pop()
+            elif kind == "name" and any(opened) and start not in known:
+                for key in self.reader.named(text):
+                    self.reader.flows.freeze(key, f"'{text}' is an argument of a template")
 
     def _use(self, expression: ccode.Expression, view: CodeView) -> None:
         """Keep the numbers of a value's flow if its use is not followed."""
@@ -96,7 +134,7 @@ class ValueUses:
         if isinstance(parent, ccode.Binary):
             operator = str(parent.operator)
             if operator == ",":
-                return ""
+                return self._why_kept(parent, parent.eContainer(), view) if parent.right is expression else ""
             if operator in COMPARISONS:
                 return f"{name} is compared {line}"
             return f"{name} is {'tested' if operator in _LOGICAL else 'calculated with'} {line}"

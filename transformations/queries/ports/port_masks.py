@@ -27,11 +27,20 @@ from robosmi.metamodels import ccode
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.classes import Classes
 from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.macros.constant_text import calculate
-from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
+from robosmi.transformations.queries.member_records import (
+    all_fields,
+    has_several_types,
+    record_key,
+    record_of_member,
+    records_as_bytes,
+    records_of_cast,
+    whole_of_member,
+)
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import LIMIT, Value, Values
 
@@ -255,10 +264,13 @@ class GivenValues:
         for view in views:
             for element in view.elements:
                 self._read(element, view)
+        classes = Classes(views) if any(view.of_kind(ccode.Record) for view in views) else None
         for view in views:
             for reference in view.of_kind(ccode.NameReference):
                 if isinstance(function := reference.target, ccode.Function) and id(function) not in self._handed:
                     self._unknown(function, reference)
+            for record, element in records_as_bytes(view, classes.around, handed_over) if classes is not None else ():
+                self._open(record, element)
 
     def of(self, key: Hashable) -> list[ccode.Located]:
         """The expressions that give a thing its values; a compound assignment, `++` and `--` are listed themselves."""
@@ -379,6 +391,8 @@ class GivenValues:
                     self._give(MemberKey(str(element.name), record_key(record) if record is not None else None), one)
         elif isinstance(element, ccode.Record):
             self._fields(element)
+        elif isinstance(element, ccode.InitializerList):
+            self._listed(element)
 
     def _declared_function(self, function: ccode.Function) -> None:
         """Give parameters their default values; constructors and operators are called without a call in the text."""
@@ -402,6 +416,29 @@ class GivenValues:
                 self._give(key, one)
             if record.recordKind is ccode.RecordKind.unionType:
                 self._join(keys[0], key)
+        uses = [field.valueType for field in record.fields]
+        parts = any(use is not None and (use.arrayDims or record_of(use) is not None) for use in uses)
+        if parts and record.recordKind is ccode.RecordKind.unionType and has_several_types(record):
+            self._open(record, record)
+
+    def _open(self, record: ccode.Record, why: ccode.Located) -> None:
+        """Give the members of a record, and of the records in it, a value that the text does not say."""
+        for field in all_fields(record):
+            self._give(MemberKey(str(field.name), record_key(field.eContainer())), why)
+
+    def _listed(self, values: ccode.InitializerList) -> None:
+        """Give the members of a structure what a list without a variable gives them: `lamp = (struct lamp){16}`."""
+        around = values.eContainer()
+        if isinstance(around, ccode.Cast) and record_of(around.target) is not None:
+            for member, one in members_given(around.target, values):
+                self._give(MemberKey(str(member.name), record_key(member.eContainer())), one)
+            return
+        inside = isinstance(around, ccode.Assignment) and isinstance(around.eContainer(), ccode.InitializerList)
+        if inside or isinstance(around, (ccode.Variable, ccode.InitializerList, ccode.MemberInitializer, ccode.Field)):
+            return
+        for record in (each for view in self._views for each in view.of_kind(ccode.Record)):
+            if len(record.fields) >= len(values.elements):
+                self._open(record, values)
 
     def _initialised(self, variable: ccode.Variable) -> None:
         first = variable.initializer

@@ -69,16 +69,29 @@ def _call(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def _lambda(context: UnitContext, node: Node) -> ccode.Expression | None:
-    """A lambda: its text, its parameters, and what its body does."""
+    """A lambda: its text, its own variables and parameters, and what its body does."""
     body = next((child for child in node.children if child.kind == cursor_kinds.COMPOUND_STMT), None)
     if body is None:
         return None
     return ccode.Lambda(
         text=context.text(node),
+        captures=_captures(context, node),
         parameters=[declarations.parameter(context, child) for child in node.children if child.kind == cursor_kinds.PARM_DECL],
         body=context.builders.block(context, body),
         **context.source.place(node.start, node.end),
     )
+
+
+def _captures(context: UnitContext, node: Node) -> list[ccode.Variable]:
+    """The variables that a lambda's captures declare (`[k = 300]`): those that refer to themselves."""
+    named = [child for child in node.children if child.kind == cursor_kinds.VARIABLE_REF]
+    declared = [(child, context.lib.getCursorReferenced(child.cursor)) for child in named]
+    own = [cursor for child, cursor in declared if context.name_offset(cursor) == context.name_offset(child.cursor)]
+    made = declarations.group(context, [context.parsed.reader.subtree(cursor) for cursor in own])
+    variables = [each for each in made if isinstance(each, ccode.Variable)]
+    for variable, cursor in zip(variables, own, strict=True):
+        variable.valueType = types.deduced(context, context.lib.getCursorType(cursor))
+    return variables
 
 
 def _is_call_operator(context: UnitContext, node: Node) -> bool:

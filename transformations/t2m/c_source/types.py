@@ -29,6 +29,8 @@ _SIGNED = frozenset(
         type_kinds.LONGDOUBLE,
     }
 )  # CXTypeKind: Char_S to LongDouble
+_TYPE_OF = frozenset(["typeof", "__typeof__", "__typeof"])
+"""What GNU C calls the type of an expression with."""
 _ARITHMETIC = frozenset(range(3, 24))
 _POINTER, _ENUM, _DOUBLE = (
     type_kinds.POINTER,
@@ -242,6 +244,8 @@ def type_use(
     """
     if (waiting := context.later(ccode.TypeUse, type_use, cursor, spec, pointer, dims, depth, of)) is not None:
         return waiting
+    if spec.base in _TYPE_OF:
+        return read_type(context, of or context.lib.getCanonicalType(context.lib.getCursorType(cursor)))
     spelling = f"{spec.text} {pointer}".strip() if pointer else spec.text
     return _type_use(context, of or context.lib.getCursorType(cursor), spelling, spec.base, dims, depth, spec.constant)
 
@@ -252,6 +256,12 @@ def written_type(context: UnitContext, start: int, end: int, kind: Type) -> ccod
     spec = specifiers(context, start, end)
     dims = text[text.index("[") :] if "[" in text else ""
     return _type_use(context, kind, text, spec.base, dims, text.count("*"), spec.constant)
+
+
+def deduced(context: UnitContext, kind: Type) -> ccode.TypeUse:
+    """The type of a lambda's own variable, which is that of its value or a reference to it."""
+    refers = context.lib.text(context.lib.getTypeSpelling(kind)).endswith("&")
+    return _type_use(context, kind, "auto &" if refers else "auto", "", "", 0, constant=False)
 
 
 def read_type(context: UnitContext, kind: Type) -> ccode.TypeUse:

@@ -39,7 +39,7 @@ from robosmi.transformations.verification.bound_devices.simulated_kinds import d
 
 ANY_LEVEL = -1
 _LEVELS = {"low": 0, "high": 1}
-_LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
+LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
 """Kind of the device, and its pin, that plays a port at which the program reads levels."""
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
 
@@ -176,7 +176,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         line = not lines.isdisjoint(used)
         device, called, near = ("", "", None) if line else _device(rules, used, channel is not None)
         if not (device or line) and any("in" in used[function] for function in used.keys() & own.levels_read()):
-            device, called = _LEVELS_DEVICE, _LEVELS_PIN
+            device, called = LEVELS_DEVICE, _LEVELS_PIN
         port = BoundPort(
             str(binding.name), source, str(pin.label) if pin is not None else "",
             str(component.title or component.partTitle) if component is not None else "",
@@ -201,7 +201,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
     for source in _asked_by_convention(plan, api):
         there = found.get(source)
         if there is not None and not there.device and not there.line:
-            found[source] = replace(there, device=_LEVELS_DEVICE, pin=_LEVELS_PIN)
+            found[source] = replace(there, device=LEVELS_DEVICE, pin=_LEVELS_PIN)
     return [*found.values(), *others]
 
 

@@ -14,6 +14,10 @@ pass earlier than the other, and neither is wrong. Moving all inputs by a pass o
 other board should have made: only if that is what the target did is the difference one of the instant alone. Each of several
 changes may be seen earlier or later.
 
+A difference that the tolerances of a polling program hide gets such a look as well. A program that waits 420 ms instead of 300
+after a switch differs by less than twice what runs of the source differ by, if one of them sees the switch a pass later. But it
+does what no run of the source does, wherever in its loop the switch changes.
+
 A second look costs more than all other runs of its scenario. So where it has confirmed a difference, further stored scenarios in
 which nothing else differs get none: they cannot change the verdict. Generated ones do, since those that are racy are not stored.
 """
@@ -26,26 +30,41 @@ from itertools import pairwise
 from msgspec import Struct
 from msgspec.structs import replace
 
+from robosmi.base.data_text import as_number
 from robosmi.base.progress_events import announce
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
-from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.port_devices import LEVELS_DEVICE, BoundPort
 from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, late_devices
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
 from robosmi.transformations.verification.judgement.side_effects import NO_LEVELS
-from robosmi.transformations.verification.judgement.verdict import SAME_MS, ended_badly, verdict_of, without_target
-from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SETTLED, SourceRuns, channel_events, run_further
+from robosmi.transformations.verification.judgement.verdict import (
+    SAME_MS,
+    costs_ms,
+    ended_badly,
+    first_late_reaction,
+    verdict_of,
+    without_target,
+)
+from robosmi.transformations.verification.original_side import (
+    CONSOLE_CHANNEL,
+    MEASURED,
+    SETTLED,
+    SourceRuns,
+    channel_events,
+    run_further,
+)
 from robosmi.transformations.verification.pause_comparison import observed_pauses
 from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.transformations.verification.stored_bytes import EEPROM_CHANNEL
 from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
 from robosmi.verify.original import LibraryCall, Original, OriginalRun
-from robosmi.verify.scenario import Scenario
+from robosmi.verify.scenario import POINTS, Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.traces.activity import READING, ActivityEvent
 from robosmi.verify.traces.alignment import alike, numbers_of, shape_of
-from robosmi.verify.traces.comparison import DIFFERENT, RACY, SAME, ChannelComparison
-from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NOT_DECIDABLE, ScenarioVerdict
+from robosmi.verify.traces.comparison import DIFFERENT, RACY, SAME, ChannelComparison, FirstDifference
+from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, ScenarioVerdict
 
 Case = tuple[Scenario, SourceRuns]
 _HANGS_ON_A_PASS = (
@@ -53,6 +72,7 @@ _HANGS_ON_A_PASS = (
     "earlier or later; change the input at another time"
 )
 
+_Late = tuple[str, FirstDifference] | None
 _Range = tuple[float, float]
 _Ranges = tuple[_Range | None, ...]
 _FEWEST_PASSES = 4
@@ -137,12 +157,71 @@ def compare_scenarios(
             if scenario.origin == "generated" or not differ or not differ <= confirmed:
                 told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest, apart)
                 confirmed |= _channels_that_differ(told)
+            told = with_reactions(told, program, trace, ports, runs, one_thread, at_rest)
             if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
                 found.racy.append((scenario, runs))
                 continue
         target = {name: events for name, (events, *_) in channel_events(seen, ports, target=True).items()}
         found.kept.append(ComparedScenario(told, runs, target, seen if whole else None))
     return found
+
+
+# ---- how late a program reacts
+
+
+def with_reactions(
+    told: ScenarioVerdict,
+    program: Original,
+    trace: PinTrace,
+    ports: Sequence[BoundPort],
+    runs: SourceRuns,
+    one_thread: bool,
+    at_rest: Mapping[str, int],
+) -> ScenarioVerdict:
+    """The verdict on a scenario in which the target may react to a contact at a time at which no run of the source does.
+
+    Nothing is judged where a program measures or waits for what it drives, or where the length of its passes is not known. A
+    program that prints may be anywhere in a pass, since the boards print at other speeds.
+
+    Args:
+        told: the verdict from the runs so far.
+        program: the original.
+        trace: the run of the migrated program.
+        ports: the ports.
+        runs: the runs of the source.
+        one_thread: whether a single thread of the source does all that is observed.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
+    """
+    scenario = told.scenario
+    devices = played(ports, scenario, target=False)
+    if told.verdict != NO_DIFFERENCE or runs.loop is not None or any(use.kind in MEASURED for use in devices):
+        return told
+    signals = [use.settings[POINTS] for use in devices if use.kind == LEVELS_DEVICE]
+    changes_ms = [as_number(at_ms) for points in signals for at_ms, _ in points if at_ms]
+    if not changes_ms:
+        return told
+    target = channel_events(trace, ports, target=True)
+    loose_ms = 2 * costs_ms(told.channels, runs)
+
+    def late(each: SourceRuns, found: Sequence[ChannelComparison] = told.channels, more_ms: float = 0.0) -> _Late:
+        return first_late_reaction(found, each, target, changes_ms, loose_ms + more_ms)
+
+    if late(runs) is None or not (pass_ms := pass_of(program, ports, scenario, LIMIT_S)):
+        return told
+    first = late(runs, more_ms=pass_ms if runs.nominal.trace.console else 0.0)
+
+    def differs_at(each: SourceRuns) -> float | None:
+        other = verdict_of(scenario, each, trace, ports, one_thread, at_rest)
+        differ = [c.difference.at_ms for c in other.channels if c.difference is not None]
+        if (again := late(each, other.channels)) is not None:
+            differ.append(again[1].at_ms)
+        return min(differ, default=None)
+
+    if first is None or hangs_on_a_pass(program, ports, scenario, runs, LIMIT_S, differs_at, pass_ms):
+        return told
+    name, difference = first
+    channels = tuple(replace(c, status=DIFFERENT, difference=difference) if c.channel == name else c for c in told.channels)
+    return replace(told, verdict=DIFFERENT_VERDICT, channels=channels)
 
 
 # ---- a second look
@@ -239,6 +318,12 @@ def longest_pass_ms(calls: Iterable[LibraryCall]) -> float:
     return max((each for each in between if each <= _LONGEST_PASS_MS), default=0.0)
 
 
+def pass_of(program: Original, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float) -> float:
+    """The longest pass of the loops of the source in a scenario, in milliseconds; 0 if it is not known."""
+    calls = program.calls(played(ports, scenario, target=False), 0, scenario.horizon_ms * 1000, limit_s)
+    return longest_pass_ms(calls)
+
+
 def hangs_on_a_pass(
     program: Original,
     ports: Sequence[BoundPort],
@@ -246,6 +331,7 @@ def hangs_on_a_pass(
     runs: SourceRuns,
     limit_s: float,
     differs_at: Callable[[SourceRuns], float | None],
+    pass_ms: float | None = None,
 ) -> bool:
     """Whether the source does what the target did if it sees the inputs of a scenario up to a pass of its loop earlier or later.
 
@@ -259,6 +345,7 @@ def hangs_on_a_pass(
         runs: its runs so far.
         limit_s: seconds of processor time for each run.
         differs_at: when the target first differs from a run of the source, in milliseconds; None if it does not.
+        pass_ms: the length of a pass; None to take the program's, if inputs are not moved as far in the runs so far.
     """
     points = (point for settings in scenario.signals.values() for points in settings.values() for point in points)
     changes = sorted({float(at_ms) for at_ms, _ in points if float(at_ms) > 0})
@@ -267,9 +354,10 @@ def hangs_on_a_pass(
     if (early_ms := differs_at(runs)) is not None and early_ms < changes[0] - _LONGEST_PASS_MS:
         return False
     devices, until_us = played(ports, scenario, target=False), scenario.horizon_ms * 1000
-    pass_ms = longest_pass_ms(program.calls(devices, 0, until_us, limit_s))
-    if pass_ms <= MOVED_MS:  # the varied runs of the scenario are moved as far
-        return False
+    if pass_ms is None:
+        pass_ms = pass_of(program, ports, scenario, limit_s)
+        if pass_ms <= MOVED_MS:  # the varied runs of the scenario are moved as far
+            return False
 
     def found_at(moved: Mapping[float, float]) -> float | None:
         if sorted(changes, key=lambda at_ms: at_ms + moved.get(at_ms, 0.0)) != changes:

@@ -28,6 +28,7 @@ from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     DRIVEN,
     PULSED,
+    SCALED,
     SETTLED,
     STANDING,
     SourceRuns,
@@ -51,6 +52,8 @@ _UNSETTLED = {
     "output limit": "it changes its pins or prints too often to record; simulate less time",
 }
 _ADVICE = {"unmodelled": "; check it on the bench, or add the function to the host model"}
+_BESIDE = (DRIVEN, PULSED, STANDING, RESTING, PAUSES)
+"""The suffixes of channels that tell more of what another one has."""
 SAME_MS = 45.0
 """Events no further apart than this (in milliseconds) plus the error of the resonators count as simultaneous."""
 
@@ -180,8 +183,7 @@ def _in_order(
     target: Mapping[str, Sequence[list[ActivityEvent]]],
 ) -> tuple[ChannelComparison, ...]:
     """The channels, one of which is different if close events of two of them have another order on the target."""
-    beside = (DRIVEN, PULSED, STANDING, RESTING, PAUSES)
-    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith(beside)]
+    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith(_BESIDE)]
     changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
     disorder = first_disorder(
         {name: runs.channels[name][0] for name in same},
@@ -373,3 +375,59 @@ def _told(before: _Begin, after: _Begin) -> FirstDifference:
         f"in the original {after.at_ms - before.at_ms:.2f} ms before it"
     )
     return FirstDifference(before.at_ms, before.channel, message, before.event, before.target)
+
+
+# ---- how late a program reacts to a contact
+
+_REACTION_MS = 5.0
+"""Tolerance of a reaction: two polling periods of a program that does nothing else."""
+
+
+def first_late_reaction(
+    found: Sequence[ChannelComparison],
+    runs: SourceRuns,
+    target: Mapping[str, Sequence[list[ActivityEvent]]],
+    changes_ms: Sequence[float],
+    loose_ms: float,
+) -> tuple[str, FirstDifference] | None:
+    """The first event after a change of a contact for which the target takes longer, or less long, than each run of the source.
+
+    Only the first event of a channel after a change is compared: the time between further ones is that of an event. Where a
+    varied run of the source sees the change at another pass of its loop, the target may as well.
+
+    Args:
+        found: the comparisons of the channels; only those that are the same are looked at.
+        runs: the runs of the source.
+        target: channel -> the target's events, for each sight.
+        changes_ms: when contacts change.
+        loose_ms: the tolerance beside that of each event.
+
+    Returns:
+        The channel and the difference.
+    """
+    late = []
+    for channel in (each.channel for each in found if each.status == SAME and not each.channel.endswith(_BESIDE)):
+        before_ms = 0.0
+        for begin in _begins(channel, runs.channels[channel][0], target[channel][0]):
+            since_ms = max((at_ms for at_ms in changes_ms if before_ms < at_ms <= begin.at_ms), default=None)
+            before_ms = begin.at_ms
+            if since_ms is None:
+                continue
+            allowed_ms = _REACTION_MS + RESONATOR * (begin.at_ms - since_ms) + _period_ms(begin.event) + loose_ms
+            if all(abs(begin.target_ms - own_ms) > allowed_ms for own_ms in (begin.at_ms, *begin.varied_ms)):
+                off_ms = begin.target_ms - begin.at_ms
+                when = f"{abs(off_ms):.1f} ms too {'late' if off_ms > 0 else 'early'} after an input changes"
+                message = f"{begin.target.does()} {when} (tolerance {allowed_ms:.1f} ms)"
+                late.append((channel, FirstDifference(begin.at_ms, channel, message, begin.event, begin.target)))
+    return min(late, key=lambda each: each[1].at_ms, default=None)
+
+
+def costs_ms(found: Sequence[ChannelComparison], runs: SourceRuns) -> float:
+    """By how much the costs of the program's steps move the events of a scenario, in milliseconds."""
+    greatest = 0.0
+    for channel in (each.channel for each in found if each.status == SAME and not each.channel.endswith(_BESIDE)):
+        own, *varied = runs.channels[channel][0]
+        for run in varied[:SCALED]:
+            moved = (abs(run[other].at_us - own[number].at_us) / 1000 for number, other in aligned(own, run).pairs)
+            greatest = max([greatest, *moved])
+    return greatest

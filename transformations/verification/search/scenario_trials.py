@@ -32,13 +32,14 @@ from robosmi.transformations.verification.search.scenario_goals import (
     shown,
     shown_values,
 )
-from robosmi.transformations.verification.search.scenario_inputs import Signals
+from robosmi.transformations.verification.search.scenario_inputs import Signals, is_steady
 from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.verify.original import Original, OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT
 
 _RETRIES = 30
+_FEW_CHANGING = 3
 _PHASES_MS = (-38.0, -25.0, -13.0, 13.0, 25.0, 38.0)
 """Less than what the time of an event may differ by."""
 _PROBE_MS = 600.0
@@ -171,9 +172,16 @@ class Trials:
         return False
 
     def _worth_another(self, places: frozenset[Place]) -> bool:
-        """Whether to vary a scenario that only reaches what racy ones did: places of the source are, some times."""
-        self.retried += any(place[0] not in GOALS for place in places - self.seen)
-        return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
+        """Whether to vary a scenario that only reaches what racy ones did: some times, for places of the source.
+
+        As long as inputs change in few scenarios, what follows one another is worth it, too: where no switch changes, a program
+        that waits for minutes between two looks at it does not differ.
+        """
+        missing = places - self.seen
+        if sum(not is_steady(scenario.signals) for scenario, _ in self.found.scenarios) >= _FEW_CHANGING:
+            missing = frozenset(place for place in missing if place[0] not in GOALS)
+        self.retried += bool(missing)
+        return self.retried <= _RETRIES and bool(missing)
 
     def look(self, signals: Signals, horizon_ms: float) -> Look | None:
         """What a short run tells of the way that the program goes; None when the search is over."""

@@ -74,6 +74,7 @@ inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t bau
 //#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
 //#   limit: FDSERIAL_MODE_RX_ONLY changes nothing
 //#   range: baudrate 245..57600 away from RX: bytes get lost or broken
+//#   range: baudrate 245..19200 beside fdserial.h/fdserial_open away from RX: a line loses bytes while another one is busy
 //#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes
 //#   range: baudrate 245..9600 beside servo360.h/feedback360_edge away from RX: the interrupts of feedback signals break bytes
 //#   stack: 36 8

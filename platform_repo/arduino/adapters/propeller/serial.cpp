@@ -46,6 +46,10 @@ struct HalfLine : SerialLine {
 //#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there
 //#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
 //#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
+//#   range: baudrate 245..57600 away from RX: bytes get lost or broken
+//#   range: baudrate 245..19200 beside serial.h/serial_open away from RX: a line loses bytes while another one is busy
+//#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes
+//#   range: baudrate 245..9600 beside servo360.h/feedback360_edge away from RX: the interrupts of feedback signals break bytes
 //#   stack: 34 8
 //#   interrupt: PCINT0_vect 41
 //#   interrupt: PCINT1_vect 58

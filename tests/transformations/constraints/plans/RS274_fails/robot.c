@@ -1,0 +1,6 @@
+#include "simpletools.h"
+
+int main(void) {
+  pause(1);
+  return 0;
+}
