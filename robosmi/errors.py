@@ -119,16 +119,17 @@ class InternalError(RobosmiError):
     exit_code = 70
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str:
+def did_you_mean(word: str, known: Iterable[str], least: float = 0.6) -> str:
     """The closest of the known words as ` (did you mean 'x'?)`, or an empty text when none is close.
 
     Args:
         word: what was written.
         known: an iterable of the words that exist.
+        least: how similar it must be, up to 1.
     """
     import difflib  # 4 ms, wanted only when something is wrong
 
-    close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    close = difflib.get_close_matches(word, list(known), n=1, cutoff=least)
     return f" (did you mean '{close[0]}'?)" if close else ""
 
 

@@ -48,14 +48,15 @@ class DataTable(Struct, frozen=True):
         except (OSError, ValueError) as error:
             raise PlatformDataError(f"the file cannot be read: {error}", location=Location(str(path))) from error
 
-    def error(self, key: str, problem: str) -> PlatformDataError:
+    def error(
+        self, key: str, problem: str, fix: str = "correct the entry, or remove the file if it is your own"
+    ) -> PlatformDataError:
         """An error about a key of this table, to be raised by the caller."""
-        fix = "correct the entry, or remove the file if it is your own"
         return PlatformDataError(f"'{self.prefix}{key}' {problem}", location=Location(str(self.path)), fix=fix)
 
     def _no_nul(self, key: str, *texts: str) -> None:
         """Refuse the one character that neither the name of a file nor an argument of a program can have."""
-        if any("\0" in text for text in texts):
+        if "\0" in "".join(texts):
             raise self.error(key, "has a NUL character")
 
     def _get(self, key: str, kind: type[T] | tuple[type[T], ...], called: str) -> T:

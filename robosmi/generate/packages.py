@@ -41,7 +41,7 @@ class GeneratedPackages(Struct, frozen=True):
     classes: int
 
 
-def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPackages:
+def generate_packages(metamodels: Sequence[str | Path], folder: str | Path) -> GeneratedPackages:
     """Generate typed Python packages from .ecore files and all files that they refer to.
 
     Args:
@@ -53,7 +53,8 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
         ModelError: a metamodel cannot be used; all reasons together.
         StoppedError: a file in the way was edited, or was not made by robosmi.
     """
-    rendered = render(metamodels, folder)
+    folder = Path(folder)
+    rendered = render([Path(each) for each in metamodels], folder)
     with at_work(folder):
         contents: dict[str, bytes] = {}
         obsolete: set[str] = set()

@@ -23,7 +23,7 @@ from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node
 from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.elements.element_factory import as_data, new as new, refuse_unnamed, unlink
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
-from robosmi.model.elements.home import Home, Watch, home_of
+from robosmi.model.elements.home import FileWatch, Home, Watch, home_of
 from robosmi.model.elements.pyecore_internals import container_of, own_resource_of
 from robosmi.model.elements.structure import contents, resource_of, root_of, walk
 
@@ -67,8 +67,8 @@ class EmfModel(TypedModel):
         self.findings: list[Finding] = []
         self._digest = ""
         self._watch = Watch()
-        self._edits = Watch()
-        """What changed since the model was read or saved; only of a model that other files were read with."""
+        self._edits = FileWatch()
+        """The files with changes since they were read or saved; only of a model that other files were read with."""
         self._home = Home(self._watch, path)
         self._roots: dict[int, DynamicEObject] = {}
         self._all: list[DynamicEObject] = []
@@ -163,16 +163,15 @@ class EmfModel(TypedModel):
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         model._open_files = open_files
         model._read_with = {other: document.roots for other, document in documents.items() if other != place}
-        model._edits.touched = False
-        if model._read_with:
-            model._home.listeners.append(model._edits)
         for other, others in model._read_with.items():
             home = Home(None, other)
             home.shared_ids = documents[other].shared_ids
-            home.listeners.append(model._edits)
             for root in others:
                 if home_of(root) is None:
                     home.add(root)
+            home.listeners.append(model._edits)
+        if model._read_with:
+            model._home.listeners.append(model._edits)
         if document is not None:
             model.findings = document.findings
             model._digest = document.digest
@@ -208,7 +207,7 @@ class EmfModel(TypedModel):
 
         target = self._target(path)
         text = self.to_bytes(target, others, keep_layout=keep_layout)
-        self._tell_what_stays(target, text)
+        self._tell_what_stays(target)
         if self.path is not None and target == self.path:
             back_up_comments(target, text)
         write_atomic(target, text)
@@ -217,18 +216,19 @@ class EmfModel(TypedModel):
         if self._digest and os.path.realpath(target) == os.path.realpath(self.path):
             self._digest = hashlib.sha256(text).hexdigest()
 
-    def _tell_what_stays(self, target: Path, text: bytes) -> None:
+    def others_are_saved(self) -> None:
+        """Note that the files that were read with this one have been written as they are now."""
+        self._edits.files.clear()
+
+    def _tell_what_stays(self, target: Path) -> None:
         """Add findings about what a save does not write: edits of other files' elements, and parts that are not in the model."""
         from robosmi.model.xmi.text_forms import is_json, is_yaml
 
         self.findings[:] = [each for each in self.findings if each.rule not in (ELSEWHERE, LEFT_OUT)]
         where = Location(str(target))
-        if self._edits.touched and self._read_with and target == self.path and target.is_file():
-            if inputs.read_bytes(target, inputs.MODEL) == text:
-                names = ", ".join(sorted(each.name for each in self._read_with))
-                said = f"'{target.name}' has no change, and edits of files that were read with it are not saved ({names})"
-                self.findings.append(Finding(ELSEWHERE, Severity.warning, said, where, fix="save all files: Session.save_all()"))
-            self._edits.touched = False
+        if edited := sorted(path.name for path in self._edits.files & self._read_with.keys()):
+            said = f"edits of files that were read with '{target.name}' are not saved: {', '.join(edited)}"
+            self.findings.append(Finding(ELSEWHERE, Severity.warning, said, where, fix="save all files: Session.save_all()"))
         apart = next((each for each in self.findings if each.rule == FOREIGN), None)
         forms = [is_json(place) or is_yaml(place) for place in (self.path or target, target)]
         if apart is not None and forms[0] != forms[1]:

@@ -74,7 +74,7 @@ class Session:
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
         files = [path for path in paths if not means_ecore(path)]
-        described = self._reader.read(metamodel_files(files))
+        described = self._reader.read(metamodel_files(files), named=map(Path, files))
         for source in dict.fromkeys(package.source for package in described):
             digest = _digest(source)
             if self._digests.setdefault(source, digest) != digest:
@@ -83,7 +83,9 @@ class Session:
                     location=Location(str(source)), fix="open the models again in a new session",
                 )  # fmt: skip
         own = Metamodel.ecore().packages if len(files) < len(paths) else []
-        return Metamodel([*self._maker.make(described), *own])
+        made = Metamodel([*self._maker.make(described), *own])
+        made.refused = self._reader.refused
+        return made
 
     def open_model(
         self,
@@ -143,6 +145,9 @@ class Session:
         for path, text in changed.items():
             back_up_comments(path, text)
             write_atomic(path, text)
+        for model in self._models:
+            if isinstance(model, EmfModel):
+                model.others_are_saved()
         for model in others:
             model.save()
         return [*changed, *(model.path for model in others if model.path is not None)]

@@ -261,14 +261,24 @@ def engines_for(mcu: str, name: str | None = None) -> list[Engine]:
         if advice := engine.missing():
             raise MissingToolError(f"the engine '{name}' is not installed", fix=advice)
         return [engine]
-    known: list[Engine] = [content("engine", each)() for each in engine_names()]
-    serving = [each for each in known if each.serves(mcu)]
-    if not serving:
-        raise UsageError(f"no engine knows the microcontroller '{mcu}'", fix="use another board")
+    serving = serving_engines(mcu)
     if installed := [each for each in serving if each.missing() is None]:
         return installed
     advices = "; or ".join(str(each.missing()) for each in serving)
     raise MissingToolError(f"no simulator for the microcontroller '{mcu}' is installed", fix=advices)
+
+
+def serving_engines(mcu: str) -> list[Engine]:
+    """The engines that know the microcontroller, installed or not.
+
+    Raises:
+        UsageError: none does.
+    """
+    known: list[Engine] = [content("engine", each)() for each in engine_names()]
+    if not (serving := [each for each in known if each.serves(mcu)]):
+        fix = f"add a table [{mcu}] to simulation/api.toml (docs/how-to/add-a-board.md), or use another board"
+        raise UsageError(f"no engine knows the microcontroller '{mcu}'", fix=fix)
+    return serving
 
 
 def engine_names() -> list[str]:

@@ -8,13 +8,15 @@ from pathlib import Path
 import pytest
 
 from robosmi.chain import read_chain
-from robosmi.errors import RobosmiError, SourceError, UsageError
+from robosmi.errors import ModelError, SourceError, UsageError
 from robosmi.model import Metamodel, Session, open_model
 from robosmi.query import ModelView
 from tests.running import run
 
 SPLIT = Path(__file__).parent / "split"
 TWO = '<e:EPackage xmlns:e="http://www.eclipse.org/emf/2002/Ecore" name="two" nsURI="http://example.org/two" nsPrefix="two"/>'
+
+XSI = "http://www.w3.org/2001/XMLSchema-instance"
 
 
 @pytest.fixture
@@ -36,9 +38,23 @@ def test_metamodels_are_given_as_folders_and_patterns(folder: Path, monkeypatch:
         assert done.result == {"value": 2}
     with pytest.raises(SourceError, match=r"no \.ecore file"):
         Metamodel.load(folder / "*.xyz")
-    (folder / "models" / "clash.ecore").write_text((SPLIT / "g.ecore").read_text().replace("weight", "cost"))
-    with pytest.raises(RobosmiError, match="has the namespace"):
-        Metamodel.load(folder / "models")
+
+
+def test_two_metamodels_of_one_namespace_in_a_folder_hinder_only_models_that_need_it(folder: Path) -> None:
+    models = folder / "models"
+    (models / "other.ecore").write_text((SPLIT / "g.ecore").read_text().replace("weight", "cost"))
+    for name, above in (("two", ""), ("uses", ' eSuperTypes="http://example.org/g#//Node"')):
+        inside = f' xmlns:xsi="{XSI}"><eClassifiers xsi:type="e:EClass" name="A"{above}/></e:EPackage>'
+        text = TWO.replace("two", name).replace("/>", inside)
+        (models / f"{name}.ecore").write_text(text)
+        (folder / f"{name}.xmi").write_text(f'<x:A xmlns:x="http://example.org/{name}"/>')
+    for read in (open_model, lambda path, **given: Session().open_model(path, **given)):
+        assert len(read(folder / "two.xmi", metamodel=models).A.all) == 1
+        for model in ("ok.xmi", "uses.xmi"):
+            with pytest.raises(ModelError, match=r"is that of '.*g\.ecore', '.*other\.ecore'"):
+                read(folder / model, metamodel=[models])
+        assert len(read(folder / "ok.xmi", metamodel=[models, models / "g.ecore"]).Node.all) == 2
+        assert len(read(folder / "uses.xmi", metamodel=[models, models / "other.ecore"]).A.all) == 1
 
 
 def test_a_chain_takes_a_pattern(folder: Path) -> None:

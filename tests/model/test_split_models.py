@@ -238,3 +238,10 @@ def test_a_save_that_does_not_write_what_was_edited_says_so(folder: Path) -> Non
     model.roots[0].name = "changed"
     model.save()
     assert model.findings == []
+    model.Node.all[0].name, model.roots[0].name = "again", "again"
+    for saved in (folder / "p.xmi", folder / "elsewhere.xmi", folder / "p.xmi"):
+        model.save(saved)
+        assert [(each.rule, "q.xmi" in each.message) for each in model.findings] == [("RS611", True)]
+    session.save_all()
+    model.save()
+    assert model.findings == []

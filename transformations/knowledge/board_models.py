@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -22,7 +22,14 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
-from robosmi.transformations.knowledge.data_keys import OF_CORES, OF_MICROCONTROLLERS, TAKES
+from robosmi.transformations.knowledge.data_keys import (
+    OF_CORES,
+    OF_MICROCONTROLLERS,
+    TAKES,
+    check_complete,
+    check_core,
+    check_numbers,
+)
 
 KIND = "platform_repo"
 _HAS_PINS = re.compile(r"^\s*(?:pins\b|\[\[pins\]\])", re.MULTILINE)
@@ -35,6 +42,10 @@ _PIN_KEYS = (
 )  # fmt: skip
 _USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
 """What takes resources of a microcontroller, by the key that names it."""
+SIGNALS = {"spi": ("MOSI", "MISO", "SCK", "SS"), "i2c": ("SDA", "SCL"), "uart": ("RX", "TX")}
+"""The buses of `[buses]` and their signals."""
+_MOST_VOLTS = 6.0
+"""No pin of a microcontroller gives or bears more."""
 _BOARD_KEYS = (
     "name",
     "title",
@@ -108,7 +119,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         title=table.text("title", path.stem),
         microcontroller=chip,
         clockHertz=table.positive("f_cpu"),
-        volts=table.decimal("volts"),
+        volts=_volts(table, "volts"),
         led=led,
         bootLoader=_boot_loader(table.table("boot_loader")) if "boot_loader" in table.values else None,
         pins=pins,
@@ -138,7 +149,7 @@ def check_drawn(table: DataTable) -> None:
             check_keys(entry, known)
 
 
-def check_keys(table: DataTable, known: Sequence[str]) -> None:
+def check_keys(table: DataTable, known: Collection[str]) -> None:
     """Refuse an unknown key (PlatformDataError), which would be ignored silently."""
     for key in table.values:
         if key not in known:
@@ -170,7 +181,7 @@ def _pin(entry: DataTable, timers: Sequence[str], shared_channels: bool) -> plat
         channel=channel,
         reserved=entry.text("reserved", ""),
         drivenByCore=entry.flag("driven_by_core", False),
-        bearsVolts=entry.decimal("bears_volts") if "bears_volts" in entry.values else 0.0,
+        bearsVolts=_volts(entry, "bears_volts") if "bears_volts" in entry.values else 0.0,
         interruptLine=entry.text("interrupt_line", ""),
     )
 
@@ -189,7 +200,11 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
     if (path := _chip_file(name, project)) is None:
         known = sorted({file.stem for folder in folders(KIND, project) for file in (folder / "mcus").glob("*.toml")})
         problem = f"is '{name}', an unknown microcontroller{did_you_mean(name, known)}"
-        raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
+        error = named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
+        error.fix = (
+            f"use one of: {', '.join(known)}; or describe it in platform_repo/mcus/{name}.toml (docs/how-to/add-a-board.md)"
+        )
+        raise error
     table = table_of(path)
     check_keys(table, OF_MICROCONTROLLERS)
     uses = []
@@ -217,22 +232,35 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         signature=_signature(table),
         pinMilliamperes=table.optional_number("pin_ma") or 0,
         totalMilliamperes=table.optional_number("total_ma") or 0,
-        pinVolts=table.decimal("pin_volts") if "pin_volts" in table.values else 0.0,
+        pinVolts=_volts(table, "pin_volts") if "pin_volts" in table.values else 0.0,
         timers=[platform.Timer(name=t.text("name"), bits=t.number("bits")) for t in table.tables("timers")],
         buses=_buses(table),
         uses=uses,
     )
 
 
+def _volts(table: DataTable, key: str) -> float:
+    """A voltage of a pin.
+
+    Raises:
+        PlatformDataError: it is none that a pin has.
+    """
+    if not 0 < (volts := table.decimal(key)) <= _MOST_VOLTS:
+        raise table.error(key, f"must be above 0 and at most {_MOST_VOLTS:g} V, it is {volts:g}")
+    return volts
+
+
 def _buses(table: DataTable, ports: Sequence[str] | None = None) -> list[platform.PinBus]:
     """The buses of a file; of a board, at its own pins.
 
     Raises:
-        PlatformDataError: a signal is at a port that none of the board's pins has.
+        PlatformDataError: there is no such bus or signal, or a signal is at a port that none of the board's pins has.
     """
     found, said = [], table.table("buses", needed=False)
+    check_keys(said, SIGNALS)
     for bus in said.values:
         lines = said.table(bus)
+        check_keys(lines, SIGNALS[bus])
         for signal in lines.values:
             if ports is not None and lines.text(signal) not in ports:
                 raise lines.error(
@@ -299,6 +327,16 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
                 raise table.error(f"{key}.{label}", f"is not a pin of this board{did_you_mean(label, labels)}")
     rules = _literal_rules(platform_name, project)
     core = _core(table.text("fqbn", "") if table is not None else "", platform_name, project)
+    written = [literals.get(pin.label) or _numbered(pin, rules, numbers) for pin in board.pins]
+    if table is not None:
+        usual = check_core(table, _settings(platform_name, project), str(chip.architecture) if chip is not None else "")
+        if numbers or (not usual and any(map(str.isdecimal, written))):
+            check_complete(table, [label for label in labels if label not in numbers and label not in literals])
+        by_port = core.pattern("numbers_by_port") if "numbers_by_port" in core.values else None
+        check_numbers(table, board.pins, {"numbers": numbers, "interrupts": interrupts}, by_port)
+        if len({*written}) < len(written):
+            twice = sorted({word for word in written if written.count(word) > 1})
+            raise table.error("literals", f"and 'numbers' give two pins one name in programs: {', '.join(twice)}")
     return platform.BoardMapping(
         board=board,
         boardId=table.text("fqbn", "") if table is not None else "",
@@ -316,11 +354,11 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         pinNames=[
             platform.PinName(
                 pin=pin,
-                literal=literals.get(pin.label) or _numbered(pin, rules, numbers),
+                literal=literal,
                 interrupt=interrupts.get(pin.label, -1),
                 number=-1 if _tells_its_number(pin) else numbers.get(pin.label, -1),
             )
-            for pin in board.pins
+            for pin, literal in zip(board.pins, written, strict=True)
         ],
     )
 
@@ -512,7 +550,7 @@ def check_ports(pins: Iterable[platform.Pin], text: str, board: DataTable, chip:
             raise PlatformDataError(
                 f"the port of '{pin.label}' is '{pin.port}', which is not a pin of the microcontroller '{chip.path.stem}'",
                 location=Location(str(board.path), line_of_value(text, str(pin.port))),
-                fix=f"write one of its ports ({re.sub(r'[|]', ', ', known.pattern)}), or give the board's microcontroller",
+                fix=f"write a port that matches {known.pattern}, or give the board's microcontroller",
             )
 
 

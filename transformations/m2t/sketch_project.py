@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robosmi.base.data_text import Json, json_written
-from robosmi.metamodels import migration
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 
 if TYPE_CHECKING:
@@ -52,11 +52,17 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
         "chosen": chosen,
         "libraries": [f"{name} ({versions[name]})" if versions.get(name) else name for name in names],
         "platformio": str(mapping.platformioId) if mapping is not None else "",
-        "platformio_platform": str(mapping.platformioPlatform) if mapping is not None else "",
+        "platformio_platform": (str(mapping.platformioPlatform) if mapping is not None else "") or _usual_platform(plan.board),
         "platformio_settings": [str(line) for line in mapping.platformioSettings] if mapping is not None else [],
         "index_url": str(mapping.coreIndex) if mapping is not None else "",
         "dependencies": [_dependency(str(name), str(versions.get(name) or "")) for name in names],
     }
+
+
+def _usual_platform(board: platform.Board) -> str:
+    """PlatformIO's platform for AVR boards of any core; empty for others."""
+    chip = board.microcontroller
+    return "atmelavr" if chip is not None and chip.architecture == "avr" else ""
 
 
 def _dependency(name: str, version: str) -> str:

@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.board_models import load_board, load_mapp
 from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName
 from robosmi.transformations.knowledge.cores.core_recipes import CoreRecipes
 from robosmi.transformations.verification.jobs import api_facts, pins_and_inputs
-from robosmi.verify.simulation import engine_for
+from robosmi.verify.simulation import engine_for, serving_engines
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.recipes import InstalledBoard
@@ -103,12 +103,18 @@ def _first_error(report: CompileReport) -> str:
 
 
 def _judged_at_api(output: Path) -> tuple[Board, Toolchain] | None:
-    """The board of a program that is judged at the Arduino API, with its toolchain; None for all other programs."""
+    """The board of a program that is judged at the Arduino API, with its toolchain; None for all other programs.
+
+    Raises:
+        UsageError: no engine knows the board's microcontroller.
+    """
     sketch, toolchain = find_sketch(output)
     try:
         board = choose_board(sketch, load_boards(toolchain.platform), toolchain)
     except (UsageError, SourceError):
         return None
+    if mcu := board.values.get("mcu"):
+        serving_engines(mcu)  # before a core is missed that would not help
     return (board, toolchain) if api_facts(board.values["mcu"]) is not None else None
 
 

@@ -16,9 +16,12 @@ from robosmi.base.data_tables import DataTable
 from robosmi.errors import PlatformDataError, UsageError
 from robosmi.metamodels import platform
 from robosmi.project import read_data
+from robosmi.transformations.knowledge.board_models import check_keys
 from robosmi.verify.simulation import DeviceUse, Job
 
 _DATA = ("simulation/avr.toml", "simulation/rp2040.toml", "simulation/api.toml")
+_JUDGED, _API = ("api", "port_pattern", "timers"), ("flags", "usb_console")
+"""The keys of a microcontroller in `api.toml`, and those of its table `api`."""
 _ANALOG = re.compile(r"A(\d+)")
 _PORT = r"P([A-Z]\d)"
 """A port, and what engines call it; data may say otherwise (`ports`)."""
@@ -33,7 +36,27 @@ def _facts() -> Mapping[str, tuple[Path, Mapping[str, Any]]]:
 @cache
 def _read(paths: tuple[Path, ...]) -> Mapping[str, tuple[Path, Mapping[str, Any]]]:
     tables = [DataTable(path, read_data(path)) for path in paths]
+    for table in tables:
+        if table.path.name == "api.toml":
+            for mcu in table.values:
+                _check_judged(table.table(mcu))
     return {mcu: (table.path, table.table(mcu).values) for table in tables for mcu in table.values}
+
+
+def _check_judged(table: DataTable) -> None:
+    """Refuse an unknown key of a microcontroller in `api.toml`, and name all keys that are missing.
+
+    Raises:
+        PlatformDataError: there are such keys.
+    """
+    api = table.table("api", needed=False)
+    check_keys(table, _JUDGED)
+    check_keys(api, _API)
+    missing = [key for key in _JUDGED if key not in table.values] + [f"api.{key}" for key in _API if key not in api.values]
+    if missing:
+        raise table.error(
+            missing[0], f"is missing, in all: {', '.join(missing)}", "add them: docs/how-to/add-a-board.md has an example"
+        )
 
 
 def shows_console(mcu: str) -> bool:

@@ -111,14 +111,21 @@ class MetamodelReader:
         self._stands_in = stand_ins
         self._stand_ins: dict[tuple[Path, str], DescribedElement] = {}
         self.problems: list[Problem] = []
+        self.refused: dict[str, ModelError] = {}
         self._packages: dict[EcoreFile, list[Package]] = {}
         self._referred_to: dict[EcoreFile, dict[EcoreFile, None]] = {}
         self._built: dict[EcoreNode, DescribedElement] = {}
         self._pending: list[tuple[EcoreFile, EcoreNode, str, type, Callable[[Any], None]]] = []
         self._typed: list[Typed] = []
 
-    def read(self, paths: Iterable[Path], *, classifiers: bool = False) -> list[Package]:
+    def read(self, paths: Iterable[Path], *, classifiers: bool = False, named: Iterable[Path] | None = None) -> list[Package]:
         """The outermost packages of .ecore files and of those that they refer to; see `load_metamodels`.
+
+        Args:
+            paths, classifiers: as there.
+            named: the files that the user names one by one, all if None; the others were found in folders. Of files with one
+                namespace the named one counts. If none is named, all are left out, with all files that need them, and
+                `refused` says for each of their namespaces why.
 
         Raises:
             SourceError, MetamodelError: as there; nothing of these files is kept.
@@ -126,16 +133,20 @@ class MetamodelReader:
         before = [(owner, name, copy(value)) for owner in (self, self.files) for name, value in vars(owner).items()
                   if isinstance(value, (dict, list))]  # fmt: skip
         try:
-            wanted = list(dict.fromkeys(self.files.load(path) for path in paths))
+            given = list(paths)
+            chosen = set(given if named is None else named)
+            preferred = {self.files.load(path) for path in given if path in chosen}  # first: their namespaces lead to them
+            wanted = list(dict.fromkeys(self.files.load(path) for path in given))
             for file in wanted:
                 if not classifiers and any(node.tag != "EPackage" for node in file.roots):
                     raise no_package(file.path, file.roots)
-            self._refuse_two_of_one_namespace(wanted)
+            shared = self._shared_namespaces(wanted, preferred)
             for file in wanted:
                 self.build(file)
             self.link()
             if self.problems:
                 raise MetamodelError(self.problems)
+            wanted = self._without_shared(wanted, preferred, shared)
         except RobosmiError:
             for owner, name, value in before:
                 setattr(owner, name, value)
@@ -148,15 +159,49 @@ class MetamodelReader:
                     pending.append(other)
         return [package for file in reached for package in self._packages[file]]
 
-    def _refuse_two_of_one_namespace(self, files: Iterable[EcoreFile]) -> None:
-        """Note files that were given together and have a namespace in common: a model could be of either."""
-        seen: dict[str, EcoreFile] = {}
+    def _shared_namespaces(self, files: Iterable[EcoreFile], named: set[EcoreFile]) -> dict[str, list[EcoreFile]]:
+        """The namespaces that several files have; that two named files share one is a problem: a model could be of either."""
+        owners: dict[str, list[EcoreFile]] = {}
         for file in files:
-            for uri, node in file.by_uri.items():
-                if (first := seen.setdefault(uri, file)) is not file:
-                    message = f"'{first.path}' has the namespace '{uri}', too"
-                    fix = "give one of them; a Session takes two versions one after the other"
-                    self.problem("two metamodels have one namespace", self._place(file, node), message, fix)
+            for uri in file.by_uri:
+                owners.setdefault(uri, []).append(file)
+        for uri, those in owners.items():
+            first, *others = [file for file in those if file in named] or those[:1]
+            for file in others:
+                message = f"'{first.path}' has the namespace '{uri}', too"
+                place = self._place(file, file.by_uri[uri])
+                self.problem("two metamodels have one namespace", place, message, "give one of them")
+        return {uri: those for uri, those in owners.items() if len(those) > 1}
+
+    def _without_shared(
+        self, files: list[EcoreFile], named: set[EcoreFile], shared: dict[str, list[EcoreFile]]
+    ) -> list[EcoreFile]:
+        """The files whose namespaces, and those of all that they need, lead to one file each."""
+        reasons: dict[EcoreFile, ModelError] = {}
+        for uri, those in shared.items():
+            first, second = those[:2]
+            more = f" and {len(those) - 2} more" if len(those) > 2 else ""
+            reason = ModelError(
+                f"the namespace '{uri}' is that of '{first.path}', '{second.path}'{more}",
+                location=self._place(second, second.by_uri[uri]),
+                fix="give the file that you mean besides its folder: a further --metamodel, metamodel=[FOLDER, FILE] in Python",
+            )
+            for file in those:
+                if file not in named:
+                    reasons.setdefault(file, reason)
+        users: dict[EcoreFile, list[EcoreFile]] = {}
+        for file, others in self._referred_to.items():
+            for other in others:
+                users.setdefault(other, []).append(file)
+        for file in (pending := list(reasons)):
+            for user in users.get(file, ()):
+                if user not in reasons:
+                    reasons[user] = reasons[file]
+                    pending.append(user)
+        left = [file for file in files if file not in reasons]
+        known = {uri for file in left for uri in file.by_uri}
+        self.refused = {uri: reason for file, reason in reasons.items() for uri in file.by_uri if uri not in known}
+        return left
 
     def problem(self, kind: str, location: Location, message: str, fix: str) -> None:
         """Note a problem."""

@@ -2,7 +2,8 @@
 
 Ecore lets a class inherit in any order, Python (C3) refuses orders that contradict each other. A class keeps Ecore's order
 when it has a linearisation; where not, the class and its ancestors take one order that never contradicts itself: deepest
-first, then by name. Ecore's own order stays in `eSuperTypes`.
+first, then by name. A class whose supertypes do not give that order names all its ancestors. Ecore's own order stays in
+`eSuperTypes`.
 """
 
 from __future__ import annotations
@@ -27,34 +28,49 @@ def bases(classes: Sequence[Class]) -> dict[Class, list[Class]]:
         classes: supertypes first, ancestors included (see `topological`).
     """
     depth: dict[Class, int] = {}
+    ancestors: dict[Class, list[Class]] = {}  # in the order of last resort
     for cls in classes:
         depth[cls] = 1 + max((depth[base] for base in cls.supertypes), default=0)
+        above = {each for base in cls.supertypes for each in (base, *ancestors[base])}
+        ancestors[cls] = sorted(above, key=lambda each: (-depth[each], each.path))
+    found: dict[Class, list[Class]] = {}
+    orders: dict[Class, list[Class]] = {}
     sorted_ones: set[Class] = set()
-    while True:
-        found: dict[Class, list[Class]] = {}
-        orders: dict[Class, list[Class]] = {}
+    waiting = list(classes)
+    while waiting:
         failed = None
-        for cls in classes:
-            for candidate in _candidates(cls, cls in sorted_ones, depth):
-                order = _merge(cls, candidate, orders)
-                if order is not None:
-                    found[cls], orders[cls] = candidate, order
-                    break
-            else:
+        for cls in waiting:
+            chosen = _sorted_bases(cls, ancestors[cls], orders) if cls in sorted_ones else _own_bases(cls, ancestors, orders)
+            if chosen is None:
                 failed = cls
                 break
+            found[cls], orders[cls] = chosen
         if failed is None:
             return found
-        sorted_ones |= {failed, *failed.ancestors()}
+        changed = {failed, *ancestors[failed]} - sorted_ones
+        sorted_ones |= changed
+        waiting = [cls for cls in classes if cls not in orders or cls in changed or not changed.isdisjoint(ancestors[cls])]
+    return found
 
 
-def _candidates(cls: Class, canonical: bool, depth: dict[Class, int]) -> list[list[Class]]:
+def _own_bases(
+    cls: Class, ancestors: dict[Class, list[Class]], orders: dict[Class, list[Class]]
+) -> tuple[list[Class], list[Class]] | None:
+    """Ecore's supertypes in their order, else without those that another one inherits from."""
     own = list(cls.supertypes)
-    if canonical:
-        return [sorted(own, key=lambda base: (-depth[base], base.path))]
-    above = {ancestor for base in own for ancestor in base.ancestors()}
+    above = {each for base in own for each in ancestors[base]}
     needed = [base for base in own if base not in above]
-    return [own, needed] if len(needed) < len(own) else [own]
+    for candidate in [own, needed] if len(needed) < len(own) else [own]:
+        if (order := _merge(cls, candidate, orders)) is not None:
+            return candidate, order
+    return None
+
+
+def _sorted_bases(cls: Class, ancestors: list[Class], orders: dict[Class, list[Class]]) -> tuple[list[Class], list[Class]]:
+    """The supertypes if they give the sorted order, else all ancestors: where all orders are one, none contradicts another."""
+    own = [base for base in ancestors if base in cls.supertypes]
+    order = [cls, *ancestors]
+    return (own if _merge(cls, own, orders) == order else ancestors), order
 
 
 def _merge(cls: Class, own: list[Class], orders: dict[Class, list[Class]]) -> list[Class] | None:

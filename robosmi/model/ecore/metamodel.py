@@ -74,13 +74,15 @@ class Metamodel(Metamodels):
         """
         from robosmi.model.ecore.ecore_classes import make_packages
         from robosmi.model.ecore.ecore_lint import contradictions
-        from robosmi.model.ecore.ecore_loader import load_metamodels
+        from robosmi.model.ecore.ecore_loader import MetamodelReader
         from robosmi.model.ecore.metamodel_files import means_ecore, metamodel_files
 
         files = [path for path in paths if not means_ecore(path)]
         own = cls.ecore().packages if len(files) < len(paths) else []
-        described = load_metamodels(metamodel_files(files), stand_ins=True)
+        reader = MetamodelReader(stand_ins=True)
+        described = reader.read(metamodel_files(files), named=map(Path, files))
         loaded = cls([*make_packages(described), *own])
+        loaded.refused = reader.refused
         loaded.findings = contradictions(described)
         return loaded
 
@@ -124,8 +126,10 @@ class Metamodel(Metamodels):
             return cls([packages])
         given = list(packages)
         files = [each for each in given if isinstance(each, (str, Path))]
-        loaded = cls.load(*files).packages if files else []
-        return cls([*loaded, *(each for each in given if not isinstance(each, (str, Path)))])
+        loaded = cls.load(*files) if files else cls()
+        made = cls([*loaded.packages, *(each for each in given if not isinstance(each, (str, Path)))])
+        made.refused = loaded.refused
+        return made
 
     def classifiers(self) -> Iterator[tuple[str, EClassifier]]:
         """All classifiers of the packages and their sub-packages, with the packages' names before theirs (`library::Book`)."""

@@ -7,9 +7,10 @@ imported on demand, since that takes longer than the rest of this package. `meta
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 
+from robosmi.errors import ModelError
 from robosmi.model.elements.ecore import Package
 from robosmi.model.elements.pyecore_internals import is_element
 
@@ -29,9 +30,17 @@ class Metamodels:
     def __init__(self, packages: Iterable[Package] = ()) -> None:
         self.packages: list[Package] = list(packages)
         self._packages = {package.nsURI: package for package in _with_subpackages(self.packages)}
+        self.refused: Mapping[str, ModelError] = {}
+        """Namespaces that lead to several files, or need one that does -> why they are not known here."""
 
     def get(self, uri: str | None) -> Package | None:
-        """The package of that namespace, or None; its `getEClassifier(name)` gives classes and EClasses."""
+        """The package of that namespace, or None; its `getEClassifier(name)` gives classes and EClasses.
+
+        Raises:
+            ModelError: the namespace is one of `refused`.
+        """
+        if uri in self.refused:
+            raise self.refused[uri]
         return self._packages.get(uri)
 
     def uris(self) -> list[str]:

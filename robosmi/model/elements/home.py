@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.model.elements.ecore import EObject
-from robosmi.model.elements.pyecore_internals import ListenedTo, own_resource_of, set_own_resource
+from robosmi.model.elements.pyecore_internals import ListenedTo, container_of, own_resource_of, set_own_resource
 
 
 class Watch:
@@ -28,6 +28,21 @@ class Watch:
         if not self.changed:
             feature = notification.feature
             self.changed = feature is None or (feature.is_reference and feature.containment)
+
+
+class FileWatch:
+    """A listener that records in what files elements changed. Of a part in a file of its own, the outermost home hears."""
+
+    def __init__(self) -> None:
+        self.files: set[Path] = set()
+
+    def notifyChanged(self, notification: Any) -> None:
+        """Called by pyecore."""
+        element = notification.notifier
+        while (home := home_of(element)) is None and (container := container_of(element)) is not None:
+            element = container
+        if home is not None and home.place is not None:
+            self.files.add(home.place)
 
 
 class Home(ListenedTo):

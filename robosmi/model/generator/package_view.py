@@ -227,6 +227,7 @@ def _imports(scope: Scope, bases: Mapping[Class, list[Class]], classes: list[Cla
         for base in bases[cls]
         if base.package is not scope.package and not is_known(base)
     }
+    late -= {name for found in run.values() for _, name in found}  # defined all the same, for a class that is not late
     only_typing = {module: found - run.get(module, set()) for module, found in typing.items()}
     standard = {m: f for m, f in run.items() if not m.startswith((".", "robosmi"))}
     for module in [m for m in only_typing if not m.startswith((".", "robosmi"))]:

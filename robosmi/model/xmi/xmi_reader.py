@@ -263,9 +263,11 @@ class _Reader:
         except OSError as error:
             self._refused.add(path)
             why = error.strerror or str(error)
+            folder = Path(os.path.realpath(referrer.path)).parent if referrer is not None else path.parent
+            tried = path.relative_to(folder) if path.is_relative_to(folder) else path
             self.give_up(
                 referrer or Location(str(path)),
-                f"the model '{path.name}' cannot be read: {why}",
+                f"the model '{tried}' cannot be read: {why}",
                 inputs.fix_of(error, "check the path; files that refer to each other must keep their places"),
             )
             return None

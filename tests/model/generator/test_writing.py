@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -31,7 +32,7 @@ def test_an_edited_or_foreign_file_stops_the_run_and_stays(name: str, foreign: b
     if foreign:
         path.parent.mkdir(parents=True)
     else:
-        generate_packages([CIRCLES], tmp_path)
+        generate_packages([str(CIRCLES)], str(tmp_path))
     path.write_text("# a person's\n")
     before = tree(tmp_path)
     with pytest.raises(StoppedError, match="was not made by robosmi" if foreign else "was changed since the last run"):
@@ -62,6 +63,7 @@ def test_files_of_a_person_beside_generated_ones_stay(tmp_path: Path) -> None:
 def test_a_package_that_is_gone_from_the_metamodel_is_removed(tmp_path: Path) -> None:
     metamodel = tmp_path / "root.ecore"
     metamodel.write_text(CIRCLES.read_text())
+    shutil.copy(CIRCLES.with_name("apart.ecore"), tmp_path)
     generate_packages([metamodel], tmp_path / "made")
     start, end = '  <eSubpackages name="empty"', "</ecore:EPackage>"
     text = CIRCLES.read_text()
