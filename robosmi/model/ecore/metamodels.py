@@ -39,7 +39,7 @@ class Metamodels:
         Raises:
             ModelError: the namespace is one of `refused`.
         """
-        if uri in self.refused:
+        if uri is not None and uri in self.refused:
             raise self.refused[uri]
         return self._packages.get(uri)
 
