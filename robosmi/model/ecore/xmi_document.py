@@ -6,7 +6,7 @@ A document contains the elements of one file and the list of what is still unres
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -127,12 +127,13 @@ class Oddities:
                 identity = own_id(element)
         known[2].append((place, text, identity))
 
-    def drop(self, rule: str, kind: tuple[str, ...], place: Location, text: str) -> None:
-        """Forget one, which is no longer so."""
-        _, _, same = self._kinds.get((rule, kind), ("", Severity.warning, []))
-        same[:] = [each for each in same if each[:2] != (place, text)]
-        if not same:
-            self._kinds.pop((rule, kind), None)
+    def drop(self, rule: str, kinds: Set[tuple[str, ...]], gone: Set[tuple[Location, str]]) -> None:
+        """Forget those of these kinds, places and texts, which are no longer so."""
+        for kind in kinds:
+            _, _, same = self._kinds.get((rule, kind), ("", Severity.warning, []))
+            same[:] = [each for each in same if each[:2] not in gone]
+            if not same:
+                self._kinds.pop((rule, kind), None)
 
     def kinds(self) -> list[tuple[str, tuple[str, ...]]]:
         """The rules and kinds of which there is one."""

@@ -420,6 +420,8 @@ class _Reader:
         """Ask the session's hook again for what it did not find, as more files are open; returns whether something is left."""
         hook = self.opened.hook if self.opened is not None else None
         left = []
+        kinds_gone: set[tuple[str, ...]] = set()
+        gone: set[tuple[Location, str]] = set()
         for each in self.unresolved:
             if not self._linker.has_target(each.owner, each.entry, each.proxy):
                 continue  # it was edited
@@ -427,9 +429,11 @@ class _Reader:
             if found is None or not self._linker.replace(each.document, each.line, each.owner, each.entry, each.proxy, found):
                 left.append(each)
                 continue
+            self._linker.finish()  # at once: the next may want the same opposite
             preserve_link(each.owner, each.entry.key, found, each.proxy, True)
-            self.odd.drop(UNRESOLVED, each.kind, Location(str(each.document.path), each.line), each.text)
-        self._linker.finish()
+            gone.add((Location(str(each.document.path), each.line), each.text))
+            kinds_gone.add(each.kind)
+        self.odd.drop(UNRESOLVED, kinds_gone, gone)
         wanted = {each.link.partition("#")[0] for each in left}
         for file, kinds in self._of_files.items():
             if file not in wanted:
