@@ -66,16 +66,16 @@ def _fields(struct: type) -> list[str]:
 
 
 def _modules() -> list[str]:
-    sets: dict[str, tuple[object, EVL]] = {
-        "electrical_supply": (electrical_supply, electrical_supply.supply),
-        "electrical_signals": (electrical_signals, electrical_signals.signals),
-        "electrical_loads": (electrical_loads, electrical_loads.loads),
-        "electrical_buses": (electrical_buses, electrical_buses.buses),
-        "electrical_plan": (electrical_plan, electrical_plan.together),
+    sets: dict[str, tuple[object, tuple[EVL, ...]]] = {
+        "electrical_supply": (electrical_supply, (electrical_supply.supply,)),
+        "electrical_signals": (electrical_signals, (electrical_signals.signals,)),
+        "electrical_loads": (electrical_loads, (electrical_loads.loads,)),
+        "electrical_buses": (electrical_buses, (electrical_buses.buses,)),
+        "electrical_plan": (electrical_plan, (electrical_plan.together, electrical_plan.by_index)),
     }
     rows = []
     for name, (module, rules) in sets.items():
-        ids = sorted(constraint.id for context in rules.contexts for constraint in context.constraints)
+        ids = sorted(constraint.id for each in rules for context in each.contexts for constraint in context.constraints)
         rows.append(f"| `{name}` | {_summary(module)} | {', '.join(ids)} |")
     return ["| module | what its constraints are on | rules |", "|---|---|---|", *rows]
 

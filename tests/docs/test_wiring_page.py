@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from robosmi.transformations.constraints.electrical import electrical
-from robosmi.transformations.constraints.electrical_plan import together
+from robosmi.transformations.constraints.electrical_plan import by_index, together
 from tests.wiring_page import PAGE, filled
 
 
@@ -16,7 +16,10 @@ def test_the_page_of_the_wiring_is_made_of_the_code() -> None:
 
 def test_every_constraint_on_wiring_is_in_one_module_of_the_page() -> None:
     listed = re.findall(r"RS\d+", PAGE.read_text(encoding="utf-8"))
-    contexts = [context for module in electrical.modules() for context in module.contexts] + list(together.contexts)
+    contexts = [context for module in electrical.modules() for context in module.contexts] + [
+        *together.contexts,
+        *by_index.contexts,
+    ]
     assert sorted(listed) == sorted(constraint.id for context in contexts for constraint in context.constraints)
 
 

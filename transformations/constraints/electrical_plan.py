@@ -28,6 +28,9 @@ from robosmi.validate import EVL, Fail
 together = EVL()
 """The constraints on program, drawing and libraries in combination; evaluate them on a plan."""
 
+by_index = EVL()
+"""Those of them that need the repository's index of libraries, too."""
+
 _both = EVL()  # one run, so that the wiring is made once
 _both.include(electrical)
 _both.include(together)
@@ -36,17 +39,20 @@ TONE = "tone"
 """The name, in the data of microcontrollers, of the core function that drives a speaker."""
 
 
-def plan_faults(plan: migration.MigrationPlan, model: EmfModel | None = None) -> list[Finding]:
+def plan_faults(plan: migration.MigrationPlan, model: EmfModel | None = None, index: bool = True) -> list[Finding]:
     """The findings on a plan's drawing, alone and in combination with program and libraries, the most severe first.
 
     Args:
         plan: the plan; without a drawing nothing is found.
         model: the plan wrapped as a model, if available; its instances are indexed already.
+        index: whether to evaluate `by_index`, too.
     """
     if plan.circuit is None:
         return []
     judged = EVL()
     judged.include(_both)
+    if index:
+        judged.include(by_index)
 
     @judged.pre
     def BoardIsThatOfThePlan() -> None:  # the first to ask makes the wiring of a run: stored plans need no repository
@@ -56,9 +62,9 @@ def plan_faults(plan: migration.MigrationPlan, model: EmfModel | None = None) ->
     return worst_first(judged.run(EmfModel(plan.circuit, name="hardware"), model).findings())
 
 
-def plan_rules() -> frozenset[str]:
-    """The ids of the constraints of `plan_faults`."""
-    return frozenset(constraint.id for constraint in _both.declared())
+def plan_rules(index: bool = True) -> frozenset[str]:
+    """The ids of the constraints that `plan_faults` evaluates."""
+    return frozenset(constraint.id for module in ((_both, by_index) if index else (_both,)) for constraint in module.declared())
 
 
 MOTOR_DRIVER = "motor driver"
@@ -98,6 +104,7 @@ bindings = together.context(
 plans = together.context(migration.MigrationPlan, guard=is_drawn)
 connections = together.context(migration.Connection)
 choices = together.context(migration.LibraryChoice, guard=lambda c: is_drawn(c) and c.chosen is not None)
+indexed_choices = by_index.context(migration.LibraryChoice, guard=lambda c: is_drawn(c) and c.chosen is not None)
 
 
 def is_sensed(connection: migration.Connection | None) -> bool:
@@ -427,10 +434,7 @@ def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
     return True
 
 
-@choices.critique(
-    id="RS274", location=place, guard=lambda c: c.chosen is not None,
-    advice="choose a library that lists the architecture, or none",
-)  # fmt: skip
+@indexed_choices.critique(id="RS274", location=place, advice="choose a library that lists the architecture, or none")
 def LibraryWorksOnTheBoard(c: migration.LibraryChoice) -> bool | Fail:
     """Nothing is known against a chosen library on the architecture of the board."""
     plan, library = of_plan(c), c.chosen

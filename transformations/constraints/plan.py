@@ -8,7 +8,7 @@ from __future__ import annotations
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import migration
 from robosmi.transformations.constraints.code_rules import moved
-from robosmi.transformations.constraints.electrical_plan import together
+from robosmi.transformations.constraints.electrical_plan import by_index, together
 from robosmi.transformations.constraints.plan_edits import edits
 from robosmi.transformations.constraints.plan_ports import by_words, named, ports
 from robosmi.transformations.queries.text_changes import all_changes, decision_of
@@ -19,6 +19,7 @@ plan = EVL()
 
 plan.include(edits)
 plan.include(together)
+plan.include(by_index)
 plan.include(moved)
 plan.include(ports)
 plan.include(by_words)

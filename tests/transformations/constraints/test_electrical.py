@@ -18,7 +18,7 @@ from robosmi.transformations.chains.check import check
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.chains.migrate import migrate, plan_migration
 from robosmi.transformations.constraints.electrical import electrical, electrical_findings
-from robosmi.transformations.constraints.electrical_plan import plan_faults, together
+from robosmi.transformations.constraints.electrical_plan import by_index, plan_faults, together
 from robosmi.transformations.constraints.plan_ports import port_faults
 from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts, electrical as facts
 from robosmi.transformations.m2t.first_screen import terminal_lines
@@ -37,7 +37,7 @@ ROOT = HERE.parents[2]
 DRAWINGS, PLANS = HERE / "drawings", HERE / "plans"
 OF_DRAWINGS = [c for module in electrical.modules() for context in module.contexts for c in context.constraints]
 MEASURES = '#include "simpletools.h"\nint main(void) {\n  high(5);\n  print("%d", rc_time(5, 1));\n}\n'
-OF_PLANS = [c for context in together.contexts for c in context.constraints]
+OF_PLANS = [c for context in (*together.contexts, *by_index.contexts) for c in context.constraints]
 
 
 def example(name: str) -> Path:

@@ -19,9 +19,9 @@ def refresh_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
 
     Args:
         plan: the plan.
-        words: also those that need the repository's words for kinds of components; else these stay as they are.
+        words: also those that need the repository's words for kinds of components or its index of libraries; else these stay.
     """
-    rules = plan_rules() | {
+    rules = plan_rules(words) | {
         constraint.id for module in ((ports, by_words) if words else (ports,)) for constraint in module.declared()
     }
     there = [(finding, str(finding.rule)) for finding in plan.findings]
@@ -33,7 +33,7 @@ def refresh_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
     at = kept.index(True) if True in kept else len(kept)
     stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
     model = EmfModel(plan, name="plan")
-    new = plan_findings(plan, [*plan_faults(plan, model), *port_faults(plan, words, model)], stored)
+    new = plan_findings(plan, [*plan_faults(plan, model, words), *port_faults(plan, words, model)], stored)
     together = kept.count(True) == len(obsolete) and all(kept[at + number] for number in range(len(obsolete)))
     if together and [_says(finding) for finding in obsolete] == [_says(finding) for finding in new]:
         return  # among thousands of others, taking them out and putting them back takes long
