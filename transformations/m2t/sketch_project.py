@@ -1,8 +1,8 @@
 """The project files of other tools around a sketch.
 
 `sketch.yaml` (Arduino CLI) and `platformio.ini` (PlatformIO) have the board and the libraries that something in the sketch
-uses, with their versions (`project`), but for the libraries that the board's
-core brings: one of the index would go before the core's own, and may not compile there.
+uses, with their versions (`project`). Libraries that the board's core brings are left out: one of the index would go before
+the core's own, and may not compile there.
 
 A project of the Wokwi simulator (`project_files`) has `diagram.json`, the sketch under the name that Wokwi expects, and
 `libraries.txt`. `m2m/circuits/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com:

@@ -206,6 +206,7 @@ class _Reader:
         self.strict = strict
         self.odd = Oddities()
         self.opened = opened
+        self._hook = opened.hook if opened is not None else None
         self.inside = os.path.realpath(inside) if inside is not None else None
         self.plans = Plans()
         self.documents: dict[Path, Document] = {}
@@ -395,7 +396,7 @@ class _Reader:
         linker = XmiLinker(
             self.find,
             lambda document, line, text: self.problems.append((Location(str(document.path), line), text)),
-            self.missing if not self.strict or (self.opened is not None and self.opened.hook is not None) else None,
+            self.missing if not self.strict or self._hook is not None else None,
             self.preserve_mapped,
         )
         opened = 0
@@ -418,14 +419,13 @@ class _Reader:
 
     def ask_again(self) -> bool:
         """Ask the session's hook again for what it did not find, as more files are open; returns whether something is left."""
-        hook = self.opened.hook if self.opened is not None else None
         left = []
         kinds_gone: set[tuple[str, ...]] = set()
         gone: set[tuple[Location, str]] = set()
         for each in self.unresolved:
             if not self._linker.has_target(each.owner, each.entry, each.proxy):
                 continue  # it was edited
-            found = hook(each.link, each.document.path, each.document.roots) if hook is not None else None
+            found = self._hook(each.link, each.document.path, each.document.roots) if self._hook is not None else None
             if found is None or not self._linker.replace(each.document, each.line, each.owner, each.entry, each.proxy, found):
                 left.append(each)
                 continue
@@ -460,7 +460,7 @@ class _Reader:
             found = self.opened.get(path) if self.opened is not None and path is not None else None
             if found is None:
                 report = partial(self.open, path, location) if path is not None else partial(self._no_file, uri, location)
-                if self.opened is not None and self.opened.hook is not None and (path is None or not path.exists()):
+                if self._hook is not None and (path is None or not path.exists()):
                     self._not_there[key] = report
                 else:
                     found = report()
@@ -489,9 +489,9 @@ class _Reader:
         self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry, why: str
     ) -> DynamicEObject | None:
         """What stands for the target of a reference that leads nowhere: what the session's hook gives, or a proxy."""
-        asked = self.opened is not None and self.opened.hook is not None and why in ("", LEADS_NOWHERE)
-        if asked and self.opened is not None and self.opened.hook is not None:
-            found: DynamicEObject | None = self.opened.hook(link, document.path, document.roots)
+        hook = self._hook if why in ("", LEADS_NOWHERE) else None
+        if hook is not None:
+            found: DynamicEObject | None = hook(link, document.path, document.roots)
             (self._lost if found is None else self._led).add((document.path, link.partition("#")[0]))
             if found is not None:
                 preserve_link(owner, entry.key, found, self.proxy(document, link, entry), True)
@@ -507,7 +507,7 @@ class _Reader:
             fix = UNRESOLVED_FIX if kind and why == LEADS_NOWHERE else _LOCAL_FIX
             self.odd.add(UNRESOLVED, (name, kind), place, text, fix, element=owner)
         proxy = self.proxy(document, link, entry)
-        if asked and not entry.feature.containment:
+        if hook is not None and not entry.feature.containment:
             self.unresolved.append(_Unresolved(document, link, line, owner, entry, proxy, (name, kind), text))
         return proxy
 
